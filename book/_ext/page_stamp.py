@@ -1,0 +1,32 @@
+"""Say under each executed page which versions computed it.
+
+No dates and no machine names: the same commit builds the same pages.
+"""
+
+from importlib.metadata import PackageNotFoundError, version
+
+PACKAGES = (("MuJoCo", "mujoco"), ("OpenCV", "opencv-python-headless"), ("NumPy", "numpy"))
+
+
+def stamp_html():
+    """Return the line with the versions of this environment."""
+    parts = []
+    for name, package in PACKAGES:
+        try:
+            parts.append(f"{name}&nbsp;{version(package)}")
+        except PackageNotFoundError:
+            continue  # a build without the package runs no cell that needs it
+    return f'<p class="page-stamp">Every number on this page was computed with {", ".join(parts)}.</p>\n'
+
+
+def add_stamp(app, pagename, templatename, context, doctree):
+    """Append the stamp to pages that ran code."""
+    is_executed = "kernelspec" in app.env.metadata.get(pagename, {})
+    if is_executed and "body" in context:
+        context["body"] += stamp_html()
+
+
+def setup(app):
+    """Connect the hook to Sphinx."""
+    app.connect("html-page-context", add_stamp)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

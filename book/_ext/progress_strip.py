@@ -1,0 +1,58 @@
+"""Draw the pipeline strip at the top of each step: scene > RGB-D > K > ... > view.
+
+The strip is a navigation landmark: every stage is a link, the stage of the page
+carries ``aria-current="step"``.
+"""
+
+from html import escape
+
+STAGES = (
+    ("scene", "book/start"),
+    ("RGB-D", "book/step1_camera"),
+    ("K", "book/step2_intrinsics"),
+    ("meters", "book/step3_depth"),
+    ("mask", "book/step4_color"),
+    ("cloud", "book/step5_cloud"),
+    ("view", "book/step6_view"),
+)
+FIRST_STEP = 1  # the scene is where the strip starts, but its page is no step
+
+
+def strip_html(current, pages, link_to):
+    """Return the strip for one page.
+
+    Parameters
+    ----------
+    current : str
+        Name of the page that is drawn.
+    pages : collection of str
+        Names of the pages in the book; a stage without its page is plain text.
+    link_to : callable
+        Turns a page name into a relative link.
+    """
+    items = []
+    for label, page in STAGES:
+        text = escape(label)
+        if page not in pages:
+            items.append(f"<li><span>{text}</span></li>")
+            continue
+        mark = ' aria-current="step"' if page == current else ""
+        items.append(f'<li><a href="{escape(link_to(page))}"{mark}>{text}</a></li>')
+    return (
+        '<nav class="pipeline-strip" aria-label="Pipeline"><ol role="list">'
+        + "".join(items)
+        + "</ol></nav>\n"
+    )
+
+
+def add_strip(app, pagename, templatename, context, doctree):
+    """Put the strip above the title of a step page."""
+    if pagename in {page for _, page in STAGES[FIRST_STEP:]} and "body" in context:
+        strip = strip_html(pagename, app.env.found_docs, context["pathto"])
+        context["body"] = strip + context["body"]
+
+
+def setup(app):
+    """Connect the hook to Sphinx."""
+    app.connect("html-page-context", add_strip)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,27 @@
+// Runs between require.js and embed-amd.js, on pages that show a widget.
+// It names the vendored files, so that the widget manager asks no CDN. The two
+// "@jupyter-widgets" lines are for its icon fonts: it finds them through the
+// address of its own module and otherwise misses them now and then.
+(function () {
+  const here = document.currentScript.src.replace(/[^/]*$/, "");
+  const folder = here + "widgets";
+  window.__jupyter_widgets_assets_path__ = folder + "/";
+  window.requirejs.config({
+    paths: {
+      anywidget: folder + "/anywidget",
+      "@jupyter-widgets": folder,
+      "@jupyter-widgets/html-manager/dist": folder,
+    },
+  });
+
+  // Widgets typeset their labels through MathJax 2; answer with MathJax 3, which has
+  // loaded by the time the document is parsed (its script is deferred).
+  document.addEventListener("DOMContentLoaded", () => {
+    const mathjax = window.MathJax;
+    if (!mathjax?.startup) return;
+    mathjax.Hub = {
+      Queue: ([, , element]) =>
+        mathjax.startup.promise.then(() => mathjax.typesetPromise([element])),
+    };
+  });
+})();

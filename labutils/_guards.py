@@ -1,0 +1,126 @@
+"""Argument checks: one message form, "name: expected this, got that".
+
+A guard is exactly as strict as the code behind it, and returns the clean array that code uses.
+"""
+
+from __future__ import annotations
+
+import numbers
+from typing import Any
+
+import numpy as np
+
+_INTEGER_KINDS = "iu"
+_REAL_KINDS = "iuf"
+
+
+def _describe(value: Any) -> str:
+    """Say what came in: shape and dtype for arrays, type and value for the rest."""
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape} and dtype {value.dtype}"
+    text = repr(value)
+    if len(text) > 60:
+        text = text[:57] + "..."
+    return f"{type(value).__name__} {text}"
+
+
+def check_real_array(name: str, value: Any) -> np.ndarray:
+    """Return `value` as an array of real numbers, or raise TypeError."""
+    array = np.asarray(value)
+    if array.dtype.kind not in _REAL_KINDS:
+        raise TypeError(f"{name}: expected real numbers, got {_describe(value)}")
+    return array
+
+
+def check_image_size(width: Any, height: Any) -> tuple[int, int]:
+    """Return (width, height) as positive ints."""
+    for name, value in (("width", width), ("height", height)):
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+            raise TypeError(f"{name}: expected a whole number of pixels, got {_describe(value)}")
+        if value < 1:
+            raise ValueError(f"{name}: expected at least 1 pixel, got {value}")
+    return int(width), int(height)
+
+
+def check_depth_image(name: str, value: Any) -> np.ndarray:
+    """Return a depth image: real numbers, shape (H, W)."""
+    array = check_real_array(name, value)
+    if array.ndim != 2:
+        raise ValueError(f"{name}: expected a depth image of shape (H, W), got {_describe(array)}")
+    return array
+
+
+def check_rgb_image(name: str, value: Any) -> np.ndarray:
+    """Return a color image: uint8, shape (H, W, 3)."""
+    array = np.asarray(value)
+    if array.dtype != np.uint8:
+        raise TypeError(f"{name}: expected a uint8 image with values 0-255, got {_describe(value)}")
+    if array.ndim != 3 or array.shape[2] != 3:
+        raise ValueError(
+            f"{name}: expected a color image of shape (H, W, 3), got {_describe(value)}"
+        )
+    return array
+
+
+def check_mask(name: str, value: Any) -> np.ndarray:
+    """Return a mask as uint8 of shape (H, W); bool is accepted, anything not zero is inside."""
+    array = np.asarray(value)
+    if array.dtype == np.bool_:
+        array = array.astype(np.uint8) * 255
+    if array.dtype != np.uint8:
+        raise TypeError(f"{name}: expected a uint8 or bool mask, got {_describe(value)}")
+    if array.ndim != 2:
+        raise ValueError(f"{name}: expected a mask of shape (H, W), got {_describe(value)}")
+    return array
+
+
+def check_intrinsics(value: Any) -> np.ndarray:
+    """Return K as 3x3 float64 with fx, fy > 0, no skew and the last row 0, 0, 1."""
+    matrix = check_real_array("K", value).astype(np.float64)
+    if matrix.shape != (3, 3):
+        raise ValueError(f"K: expected a 3x3 matrix, got {_describe(value)}")
+    zeros = (matrix[0, 1], matrix[1, 0], matrix[2, 0], matrix[2, 1])
+    if any(zeros) or matrix[2, 2] != 1.0 or not np.isfinite(matrix).all():
+        raise ValueError(
+            f"K: expected [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], got {matrix.tolist()}"
+        )
+    if matrix[0, 0] <= 0 or matrix[1, 1] <= 0:
+        raise ValueError(
+            f"K: expected positive focal lengths, got fx = {matrix[0, 0]}, fy = {matrix[1, 1]}"
+        )
+    return matrix
+
+
+def check_columns(name: str, value: Any, columns: int) -> np.ndarray:
+    """Return an array of real numbers of shape (N, columns)."""
+    array = check_real_array(name, value)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{name}: expected shape (N, {columns}), got {_describe(value)}")
+    return array
+
+
+def check_pose(cam_xpos: Any, cam_xmat: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return a camera position (3,) and a rotation (3, 3), both float64."""
+    position = check_real_array("cam_xpos", cam_xpos).astype(np.float64)
+    rotation = check_real_array("cam_xmat", cam_xmat).astype(np.float64)
+    if position.shape != (3,):
+        raise ValueError(f"cam_xpos: expected 3 numbers, got {_describe(cam_xpos)}")
+    if rotation.shape not in ((9,), (3, 3)):
+        raise ValueError(f"cam_xmat: expected 9 numbers or a 3x3 matrix, got {_describe(cam_xmat)}")
+    rotation = rotation.reshape(3, 3)
+    # 1e-6 is far above the rounding of a rotation kept in double (or read from float32 text with
+    # 7 digits) and far below any scale or shear that would move a point visibly.
+    proper = np.allclose(rotation @ rotation.T, np.eye(3), rtol=0, atol=1e-6)
+    if not proper or np.linalg.det(rotation) < 0:
+        raise ValueError("cam_xmat: expected a rotation matrix (orthonormal, determinant +1)")
+    return position, rotation
+
+
+def check_depth_limits(near_name: str, near: Any, far_name: str, far: Any) -> tuple[float, float]:
+    """Return 0 < near < far as floats."""
+    for name, value in ((near_name, near), (far_name, far)):
+        if isinstance(value, bool) or not isinstance(value, numbers.Real):
+            raise TypeError(f"{name}: expected meters as a number, got {_describe(value)}")
+    if not 0 < near < far < float("inf"):
+        raise ValueError(f"expected 0 < {near_name} < {far_name}, got {near} and {far}")
+    return float(near), float(far)

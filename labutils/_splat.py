@@ -1,0 +1,91 @@
+"""A point renderer in NumPy: a pinhole camera, a depth test, square points.
+
+It draws what an OpenGL viewer would, on a machine that has none, and the same picture everywhere.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+def make_look_at(eye: np.ndarray, target: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """Build T_cam_world (4x4) of an OpenCV camera at `eye` that looks at `target`.
+
+    Raises
+    ------
+    ValueError
+        If the eye is at the target, or looks along `up`.
+    """
+    forward = np.asarray(target, float) - eye
+    right = np.cross(forward, up)
+    if np.linalg.norm(forward) == 0 or np.linalg.norm(right) == 0:
+        raise ValueError("eye: expected a view that is not along `up`, and away from the target")
+    forward /= np.linalg.norm(forward)
+    right /= np.linalg.norm(right)
+    rotation = np.stack([right, np.cross(forward, right), forward])
+    T_cam_world = np.eye(4)
+    T_cam_world[:3, :3] = rotation
+    T_cam_world[:3, 3] = -rotation @ eye
+    return T_cam_world
+
+
+def render_points(
+    points: np.ndarray,
+    colors: np.ndarray,
+    T_cam_world: np.ndarray,
+    K: np.ndarray,
+    size: tuple[int, int],
+    point_size: int = 2,
+) -> np.ndarray:
+    """Draw points as squares, the nearest on top.
+
+    Parameters
+    ----------
+    points : ndarray, shape (N, 3)
+        World coordinates.
+    colors : ndarray, shape (N, 3)
+        RGB in [0, 1].
+    T_cam_world : ndarray, shape (4, 4)
+        From `make_look_at`.
+    K : ndarray, shape (3, 3)
+        Intrinsics of the drawn picture.
+    size : (width, height)
+        Pixels.
+    point_size : int
+        Side of a square in pixels.
+
+    Returns
+    -------
+    ndarray, uint8, shape (H, W, 4)
+        RGBA, transparent where no point is.
+    """
+    width, height = size
+    in_cam = points @ T_cam_world[:3, :3].T + T_cam_world[:3, 3]
+    in_front = in_cam[:, 2] > 1e-6
+    in_cam, colors = in_cam[in_front], colors[in_front]
+    u = np.round(K[0, 0] * in_cam[:, 0] / in_cam[:, 2] + K[0, 2]).astype(np.int64)
+    v = np.round(K[1, 1] * in_cam[:, 1] / in_cam[:, 2] + K[1, 2]).astype(np.int64)
+    order = np.argsort(-in_cam[:, 2], kind="stable")  # far first: near ones overwrite them
+    u, v, colors = u[order], v[order], colors[order]
+    rgba = np.zeros((height, width, 4), np.uint8)
+    pixel = np.empty((len(u), 4), np.uint8)
+    pixel[:, :3] = np.round(255 * np.clip(colors, 0, 1))
+    pixel[:, 3] = 255
+    # Offsets inside, points outside would paint far points over near neighbors: so depth is
+    # tested across all offsets at once, by painting points one after another, far to near.
+    offsets = np.arange(point_size) - (point_size - 1) // 2
+    du, dv = (grid.ravel() for grid in np.meshgrid(offsets, offsets))
+    uu = (u[:, None] + du).ravel()
+    vv = (v[:, None] + dv).ravel()
+    inside = (uu >= 0) & (uu < width) & (vv >= 0) & (vv < height)
+    source = np.repeat(np.arange(len(u)), len(du))[inside]
+    rgba[vv[inside], uu[inside]] = pixel[source]
+    return rgba
+
+
+def make_axes_points(length: float, count: int = 400) -> tuple[np.ndarray, np.ndarray]:
+    """Make dense points along x (red), y (green) and z (blue) from the origin."""
+    steps = np.linspace(0.0, length, count)
+    points = np.concatenate([steps[:, None] * axis for axis in np.eye(3)])
+    colors = np.repeat(np.array([[0.85, 0.15, 0.15], [0.1, 0.6, 0.2], [0.15, 0.35, 0.9]]), count, 0)
+    return points, colors

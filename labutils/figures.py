@@ -1,0 +1,404 @@
+"""All figures of the book: one style, readable on light and dark pages.
+
+Every function returns a `Picture`, which shows itself as the last line of a cell. The verb
+``plot_`` stands for exactly that.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import cv2
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from labutils._guards import check_columns, check_depth_image
+from labutils._splat import make_axes_points, make_look_at, render_points
+
+#: Okabe-Ito: eight colors that stay apart for every kind of color vision.
+CATEGORY_COLORS = (
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#D55E00",
+    "#56B4E9",
+    "#CC79A7",
+    "#F0E442",
+    "#8A8A8A",
+)
+
+#: Mid gray: contrast 4.5:1 and more on the book's paper and on its dark ground.
+_INK = "#767b85"
+
+_WIDTHS = {"full": 7.2, "half": 3.6}  # inches; the text column is 7.2 inches at 100 px per inch
+_DPI = 200  # two device pixels per page pixel
+
+_STYLE = {
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "savefig.facecolor": "none",
+    "text.color": _INK,
+    "axes.labelcolor": _INK,
+    "axes.edgecolor": _INK,
+    "axes.titlecolor": _INK,
+    "xtick.color": _INK,
+    "ytick.color": _INK,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 10,
+    "font.size": 9,
+    "axes.prop_cycle": mpl.cycler(color=CATEGORY_COLORS),
+    "image.interpolation": "nearest",
+    "legend.frameon": False,
+    # A fixed salt makes the ids in SVG files, and so the built book, the same in every run.
+    "svg.hashsalt": "labutils",
+}
+
+
+class Picture:
+    """A finished figure that a notebook, a page and a test can use.
+
+    Parameters
+    ----------
+    png : bytes
+        The picture, two device pixels per page pixel.
+    summary : str
+        What it shows, in words: shown where no picture can be.
+    """
+
+    def __init__(self, png: bytes, summary: str) -> None:
+        self.png = png
+        self.summary = summary
+
+    @classmethod
+    def from_figure(cls, figure: Figure, summary: str) -> Picture:
+        """Draw a Matplotlib figure; the same figure gives the same bytes."""
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png", dpi=_DPI, metadata={"Software": None})
+        return cls(buffer.getvalue(), summary)
+
+    @classmethod
+    def from_rgb(cls, image: np.ndarray, summary: str) -> Picture:
+        """Wrap a uint8 image (H, W, 3) or (H, W, 4)."""
+        code = cv2.COLOR_RGBA2BGRA if image.shape[2] == 4 else cv2.COLOR_RGB2BGR
+        done, png = cv2.imencode(".png", cv2.cvtColor(image, code))
+        if not done:
+            raise ValueError(f"image: expected a picture that PNG can hold, got {image.shape}")
+        return cls(png.tobytes(), summary)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in device pixels, read from the PNG header."""
+        return (int.from_bytes(self.png[16:20], "big"), int.from_bytes(self.png[20:24], "big"))
+
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        width = min(self.size[0] // 2, 720)
+        return {"image/png": self.png, "text/plain": repr(self)}, {"image/png": {"width": width}}
+
+    def __repr__(self) -> str:
+        return f"<Picture {self.size[0]}x{self.size[1]}: {self.summary}>"
+
+
+def _make_axes(
+    columns: int, width: str, height: float, **options: Any
+) -> tuple[Figure, Sequence[Any]]:
+    """Make a figure with a row of axes; `height` is in inches."""
+    figure = Figure(figsize=(_WIDTHS[width], height), layout="constrained")
+    axes = figure.subplots(1, columns, squeeze=False, **options)[0]
+    return figure, axes
+
+
+def plot_images(
+    images: Mapping[str, np.ndarray], *, width: str = "full", columns: int | None = None
+) -> Picture:
+    """Show pictures side by side.
+
+    Parameters
+    ----------
+    images : mapping of str to ndarray
+        Title to picture: uint8 RGB (H, W, 3), or one channel (H, W) shown in gray (bool and
+        uint8 masks as black and white).
+    width : "full" or "half"
+        Of the text column.
+    columns : int, optional
+        Pictures per row; all in one row without it.
+
+    Returns
+    -------
+    Picture
+    """
+    columns = columns or len(images)
+    rows = -(-len(images) // columns)
+    first = next(iter(images.values()))
+    cell = _WIDTHS[width] / columns
+    with mpl.rc_context(_STYLE):
+        height = rows * (cell * first.shape[0] / first.shape[1] + 0.3)
+        figure = Figure(figsize=(_WIDTHS[width], height), layout="constrained")
+        axes = figure.subplots(rows, columns, squeeze=False).ravel()
+        for ax in axes:
+            ax.set_axis_off()
+        for ax, (title, image) in zip(axes, images.items(), strict=False):
+            ax.set_title(title)
+            ax.imshow(image, cmap="gray" if image.ndim == 2 else None)
+        return Picture.from_figure(figure, "; ".join(images))
+
+
+def plot_depth(
+    depth: np.ndarray,
+    *,
+    title: str = "",
+    limits: tuple[float, float] | None = None,
+    unit: str = "m",
+    width: str = "full",
+) -> Picture:
+    """Show a depth image in turbo (blue close, red far) with its color bar.
+
+    Parameters
+    ----------
+    depth : ndarray, real, shape (H, W)
+        NaN and infinite pixels stay empty.
+    title : str
+        Above the picture.
+    limits : (low, high), optional
+        Of the color scale; without it the range of the data.
+    unit : str
+        Written at the color bar.
+    width : "full" or "half"
+        Of the text column.
+
+    Returns
+    -------
+    Picture
+    """
+    depth = check_depth_image("depth", depth)
+    shown = np.where(np.isfinite(depth), depth, np.nan)
+    low, high = limits or (np.nanmin(shown), np.nanmax(shown))
+    with mpl.rc_context(_STYLE):
+        aspect = depth.shape[0] / depth.shape[1]
+        figure, (ax,) = _make_axes(1, width, _WIDTHS[width] * 0.87 * aspect + 0.3)
+        image = ax.imshow(shown, cmap="turbo", vmin=low, vmax=high)
+        ax.set_title(title)
+        ax.set_axis_off()
+        figure.colorbar(image, ax=ax, label=f"depth ({unit})", pad=0.02)
+        return Picture.from_figure(figure, title or "depth image")
+
+
+def plot_comparison(
+    ours: np.ndarray,
+    truth: np.ndarray,
+    *,
+    limits: tuple[float, float] | None = None,
+    error_limit_mm: float | None = None,
+) -> Picture:
+    """Show ours, truth and the signed error of a depth image, the error in millimeters.
+
+    Parameters
+    ----------
+    ours, truth : ndarray, real, shape (H, W)
+        Meters; NaN where there is nothing.
+    limits : (low, high), optional
+        Shared color scale of the first two pictures, in meters.
+    error_limit_mm : float, optional
+        Scale of the error picture; without it the 99th percentile of the error.
+
+    Returns
+    -------
+    Picture
+    """
+    ours = check_depth_image("ours", ours)
+    truth = check_depth_image("truth", truth)
+    if ours.shape != truth.shape:
+        raise ValueError(f"truth: expected the size of ours {ours.shape}, got {truth.shape}")
+    error_mm = 1000.0 * (ours.astype(np.float64) - truth)
+    low, high = limits or (np.nanmin(truth), np.nanmax(truth))
+    if error_limit_mm is None:
+        error_limit_mm = max(float(np.nanpercentile(np.abs(error_mm), 99)), 1e-6)
+    with mpl.rc_context(_STYLE):
+        height = _WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.75
+        figure, axes = _make_axes(3, "full", height)
+        for ax, title, image in zip(axes, ("ours", "truth"), (ours, truth), strict=False):
+            ax.set_title(title)
+            shown = ax.imshow(image, cmap="turbo", vmin=low, vmax=high)
+        figure.colorbar(shown, ax=list(axes[:2]), label="m", location="bottom", aspect=40)
+        axes[2].set_title("error = ours - truth")
+        signed = axes[2].imshow(error_mm, cmap="RdBu_r", vmin=-error_limit_mm, vmax=error_limit_mm)
+        figure.colorbar(signed, ax=axes[2], label="mm", location="bottom", aspect=20)
+        for ax in axes:
+            ax.set_axis_off()
+        return Picture.from_figure(figure, "ours, truth and error in mm")
+
+
+def plot_histogram(
+    samples: Mapping[str, np.ndarray],
+    *,
+    label: str,
+    bins: int = 60,
+    limits: tuple[float, float] | None = None,
+    log: bool = False,
+) -> Picture:
+    """Show how values are distributed, one outlined histogram per sample.
+
+    Parameters
+    ----------
+    samples : mapping of str to ndarray
+        Name to values; NaN and infinite values are left out.
+    label : str
+        Of the horizontal axis, with its unit.
+    bins : int
+        Number of bins over `limits`.
+    limits : (low, high), optional
+        Range of the horizontal axis; without it the range of the data.
+    log : bool
+        Logarithmic counts.
+
+    Returns
+    -------
+    Picture
+    """
+    finite = {name: v[np.isfinite(v)].ravel() for name, v in samples.items()}
+    low, high = limits or (
+        min(v.min() for v in finite.values()),
+        max(v.max() for v in finite.values()),
+    )
+    with mpl.rc_context(_STYLE):
+        figure, (ax,) = _make_axes(1, "full", 2.6)
+        for name, values in finite.items():
+            ax.hist(values, bins=bins, range=(low, high), histtype="step", label=name, lw=1.6)
+        ax.set_xlabel(label)
+        ax.set_ylabel("pixels")
+        ax.set_xlim(low, high)
+        if log:
+            ax.set_yscale("log")
+        if len(finite) > 1:
+            ax.legend()
+        return Picture.from_figure(figure, f"histogram of {', '.join(finite)}")
+
+
+def plot_lines(
+    x: np.ndarray,
+    lines: Mapping[str, np.ndarray],
+    *,
+    x_label: str,
+    y_label: str,
+    log_y: bool = False,
+) -> Picture:
+    """Show one or more curves over a shared axis, each named at its end.
+
+    Parameters
+    ----------
+    x : ndarray, shape (N,)
+        Shared horizontal values.
+    lines : mapping of str to ndarray, shape (N,)
+        Name to vertical values.
+    x_label, y_label : str
+        With units.
+    log_y : bool
+        Logarithmic vertical axis.
+
+    Returns
+    -------
+    Picture
+    """
+    with mpl.rc_context(_STYLE):
+        figure, (ax,) = _make_axes(1, "full", 2.8)
+        for name, y in lines.items():
+            (line,) = ax.plot(x, y, lw=1.8)
+            last = np.flatnonzero(np.isfinite(y))[-1]
+            ax.annotate(
+                name,
+                (x[last], y[last]),
+                xytext=(6, 0),
+                textcoords="offset points",
+                va="center",
+                color=line.get_color(),
+            )
+        ax.set_xlabel(x_label)
+        ax.set_ylabel(y_label)
+        ax.margins(x=0.02)
+        if log_y:
+            ax.set_yscale("log")
+        return Picture.from_figure(figure, f"{y_label} over {x_label}: {', '.join(lines)}")
+
+
+def get_depth_colors(points: np.ndarray) -> np.ndarray:
+    """Color points by their third coordinate in turbo; return RGB in [0, 1], shape (N, 3)."""
+    z = points[:, 2]
+    span = np.ptp(z) or 1.0
+    return mpl.colormaps["turbo"]((z - z.min()) / span)[:, :3]
+
+
+def get_view_point(
+    points: np.ndarray, azimuth_deg: float = 25.0, elevation_deg: float = 20.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Choose a place to look at a cloud of the camera frame (y down) from.
+
+    Returns
+    -------
+    target, eye : ndarray, shape (3,)
+        The middle of the cloud, and a point behind and above the camera's own place.
+    """
+    target = np.median(points, axis=0)
+    radius = 1.1 * float(np.percentile(np.linalg.norm(points - target, axis=1), 90)) + 1e-6
+    azimuth, elevation = np.deg2rad([azimuth_deg, elevation_deg])
+    direction = np.array(
+        [
+            np.sin(azimuth) * np.cos(elevation),
+            -np.sin(elevation),
+            -np.cos(azimuth) * np.cos(elevation),
+        ]
+    )
+    return target, target + radius * direction
+
+
+def plot_cloud(
+    points: np.ndarray,
+    colors: np.ndarray | None = None,
+    *,
+    frame: str = "camera",
+    azimuth_deg: float = 25.0,
+    elevation_deg: float = 20.0,
+    point_size: int = 3,
+    axes: bool = True,
+) -> Picture:
+    """Draw a point cloud from a chosen side, without OpenGL.
+
+    Parameters
+    ----------
+    points : ndarray, real, shape (N, 3)
+        Meters.
+    colors : ndarray, real in [0, 1], shape (N, 3), optional
+        RGB; without it, by the third coordinate.
+    frame : "camera" or "world"
+        Which way is up: -y in the OpenCV camera frame, +z in the world.
+    azimuth_deg, elevation_deg : float
+        Where to look from: 0, 0 is the camera's own direction.
+    point_size : int
+        In pixels.
+    axes : bool
+        Draw x (red), y (green), z (blue), 0.2 m long, at the origin of the frame.
+
+    Returns
+    -------
+    Picture
+    """
+    points = check_columns("points", points, 3)
+    if frame not in {"camera", "world"}:
+        raise ValueError(f"frame: expected 'camera' or 'world', got {frame!r}")
+    if colors is None:
+        colors = get_depth_colors(points)
+    # The world's axes (x forward, y left, z up) as seen in camera order (x right, y down, z forward).
+    turn = np.eye(3) if frame == "camera" else np.array([[0, -1, 0], [0, 0, -1], [1, 0, 0.0]])
+    turned = points @ turn.T
+    if axes:
+        axes_points, axes_colors = make_axes_points(0.2)
+        turned = np.concatenate([turned, axes_points @ turn.T])
+        colors = np.concatenate([colors, axes_colors])
+    target, eye = get_view_point(points @ turn.T, azimuth_deg, elevation_deg)
+    width, height = 1440, 1000
+    K = np.array([[1300.0, 0, width / 2], [0, 1300.0, height / 2], [0, 0, 1]])
+    T_cam_world = make_look_at(eye, target, np.array([0.0, -1.0, 0.0]))
+    rgba = render_points(turned, colors, T_cam_world, K, (width, height), point_size)
+    return Picture.from_rgb(rgba, f"point cloud of {len(points)} points in the {frame} frame")

@@ -1,0 +1,146 @@
+"""The renderer contract: OpenGL where it works, the ray caster where it does not.
+
+Chooses the OpenGL backend before MuJoCo is imported, because MuJoCo reads ``MUJOCO_GL`` once, at
+import. Taught in: step 1 and the troubleshooting page.
+"""
+
+from __future__ import annotations
+
+import ctypes.util
+import functools
+import os
+import sys
+import warnings
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import mujoco
+
+    from labutils.raycast import RaycastRenderer
+
+    AnyRenderer = mujoco.Renderer | RaycastRenderer
+
+_INSTALL_HINTS = {
+    "linux": "sudo apt-get install libegl1 libgl1-mesa-dri",
+    "darwin": "no package is missing on macOS: unset MUJOCO_GL and start Python again",
+    "win32": "install the driver of your graphics card and unset MUJOCO_GL",
+}
+
+
+class NoOpenGLWarning(UserWarning):
+    """OpenGL cannot draw here; the ray caster draws instead."""
+
+
+def choose_gl_backend() -> str:
+    """Pick a value for ``MUJOCO_GL`` where the user has not, and return the one in force.
+
+    Convention
+    ----------
+    A user's own setting always wins. On Linux without a screen the choice is ``egl``, which draws
+    off screen. Where not even the EGL library is installed the choice is ``disable``: MuJoCo then
+    imports cleanly, and `make_renderer` hands out the ray caster.
+
+    Returns
+    -------
+    str
+        The value of ``MUJOCO_GL``; empty where MuJoCo's own default is right (a screen, macOS,
+        Windows).
+    """
+    chosen = os.environ.get("MUJOCO_GL", "").strip().lower()
+    has_screen = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+    if not chosen and sys.platform.startswith("linux") and not has_screen:
+        chosen = "egl"
+    if chosen == "egl" and ctypes.util.find_library("EGL") is None:
+        # With "egl" and no library, `import mujoco` itself stops with an AttributeError.
+        os.environ["LABUTILS_GL_MISSING"] = "the library libEGL.so.1 is not installed"
+        chosen = "disable"
+    if chosen:
+        os.environ["MUJOCO_GL"] = chosen
+    return chosen
+
+
+def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer:
+    """Make a renderer that works on this machine.
+
+    Convention
+    ----------
+    Argument order is MuJoCo's: height first. Both kinds of renderer have the methods
+    ``update_scene``, ``render``, ``enable_depth_rendering``, ``enable_segmentation_rendering``
+    (and ``disable_...``) and ``close``, and both work in a ``with`` block.
+
+    Parameters
+    ----------
+    model : mujoco.MjModel
+        The compiled scene.
+    height, width : int
+        Size of the pictures in pixels.
+
+    Returns
+    -------
+    mujoco.Renderer or RaycastRenderer
+        MuJoCo's renderer where OpenGL works. Elsewhere the ray caster: depth and segmentation are
+        exact, colors are flat-shaded.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `height` or `width` is not a positive whole number, or larger than the off-screen
+        buffer the model asks for.
+
+    Warns
+    -----
+    NoOpenGLWarning
+        Once per process, with the command that installs OpenGL.
+    """
+    import mujoco  # noqa: PLC0415 - the backend is chosen first, then MuJoCo reads it
+
+    from labutils._guards import check_image_size  # noqa: PLC0415 - see above
+    from labutils.raycast import RaycastRenderer  # noqa: PLC0415 - see above
+
+    width, height = check_image_size(width, height)
+    reason = _find_gl_problem()
+    if reason is None:
+        return mujoco.Renderer(model, height, width)
+    _warn_once(reason)
+    return RaycastRenderer(model, height, width)
+
+
+def is_gl_available() -> bool:
+    """Tell whether OpenGL can draw in this process."""
+    return _find_gl_problem() is None
+
+
+@functools.cache
+def _find_gl_problem() -> str | None:
+    """Draw one pixel; return what went wrong, or None."""
+    import mujoco  # noqa: PLC0415 - see make_renderer
+
+    if os.environ.get("MUJOCO_GL", "").strip().lower() in {
+        "0",
+        "disable",
+        "disabled",
+        "false",
+        "off",
+    }:
+        return os.environ.get("LABUTILS_GL_MISSING", "MUJOCO_GL switches OpenGL off")
+    try:
+        model = mujoco.MjModel.from_xml_string("<mujoco/>")
+        with mujoco.Renderer(model, 1, 1) as renderer:
+            renderer.update_scene(mujoco.MjData(model))
+            renderer.render()
+    # Drivers fail in many ways (GLError, AttributeError, FatalError, OSError): whichever it is,
+    # the ray caster is the answer, and the notice passes the driver's own words on.
+    except Exception as error:  # noqa: BLE001
+        return f"{type(error).__name__}: {error}".splitlines()[0]
+    return None
+
+
+@functools.cache
+def _warn_once(reason: str) -> None:
+    hint = _INSTALL_HINTS.get("linux" if sys.platform.startswith("linux") else sys.platform, "")
+    warnings.warn(
+        f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels are "
+        f"exact, colors are flat. To get OpenGL: {hint}",
+        NoOpenGLWarning,
+        stacklevel=3,
+    )

