@@ -99,6 +99,16 @@ def check_columns(name: str, value: Any, columns: int) -> np.ndarray:
     return array
 
 
+def check_colors(colors: Any, count: int) -> np.ndarray:
+    """Return colors of shape (count, 3) with values from 0 to 1."""
+    colors = check_columns("colors", colors, 3)
+    if len(colors) != count:
+        raise ValueError(f"colors: expected one per point ({count}), got {len(colors)}")
+    if colors.size and not (colors.min() >= 0 and colors.max() <= 1):
+        raise ValueError(f"colors: expected 0 to 1, got {colors.min():g} to {colors.max():g}")
+    return colors
+
+
 def check_pose(cam_xpos: Any, cam_xmat: Any) -> tuple[np.ndarray, np.ndarray]:
     """Return a camera position (3,) and a rotation (3, 3), both float64."""
     position = check_real_array("cam_xpos", cam_xpos).astype(np.float64)

@@ -5,6 +5,7 @@ It draws what an OpenGL viewer would, on a machine that has none, and the same p
 
 from __future__ import annotations
 
+import matplotlib as mpl
 import numpy as np
 
 
@@ -35,6 +36,7 @@ def render_points(
     T_cam_world: np.ndarray,
     K: np.ndarray,
     size: tuple[int, int],
+    *,
     point_size: int = 2,
 ) -> np.ndarray:
     """Draw points as squares, the nearest on top.
@@ -89,3 +91,33 @@ def make_axes_points(length: float, count: int = 400) -> tuple[np.ndarray, np.nd
     points = np.concatenate([steps[:, None] * axis for axis in np.eye(3)])
     colors = np.repeat(np.array([[0.85, 0.15, 0.15], [0.1, 0.6, 0.2], [0.15, 0.35, 0.9]]), count, 0)
     return points, colors
+
+
+def get_depth_colors(points: np.ndarray) -> np.ndarray:
+    """Color points by their third coordinate in turbo; return RGB in [0, 1], shape (N, 3)."""
+    z = points[:, 2]
+    span = np.ptp(z) or 1.0
+    return mpl.colormaps["turbo"]((z - z.min()) / span)[:, :3]
+
+
+def get_view_point(
+    points: np.ndarray, azimuth_deg: float = 25.0, elevation_deg: float = 20.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Choose a place to look at a cloud of the camera frame (y down) from.
+
+    Returns
+    -------
+    target, eye : ndarray, shape (3,)
+        The middle of the cloud, and a point behind and above the camera's own place.
+    """
+    target = np.median(points, axis=0)
+    radius = 1.1 * float(np.percentile(np.linalg.norm(points - target, axis=1), 90)) + 1e-6
+    azimuth, elevation = np.deg2rad([azimuth_deg, elevation_deg])
+    direction = np.array(
+        [
+            np.sin(azimuth) * np.cos(elevation),
+            -np.sin(elevation),
+            -np.cos(azimuth) * np.cos(elevation),
+        ]
+    )
+    return target, target + radius * direction

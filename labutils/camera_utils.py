@@ -45,8 +45,8 @@ def make_scene(keyframe: str = "home") -> tuple[mujoco.MjModel, mujoco.MjData]:
     """
     if not SCENE_PATH.is_file():
         raise FileNotFoundError(
-            f"scene: expected {SCENE_PATH.name} in the folder assets/ beside labutils/, got nothing "
-            "there; install labutils from a checkout (pip install -e .)"
+            f"scene: expected {SCENE_PATH.name} in the folder assets/ beside labutils/, got "
+            "nothing there; install labutils from a checkout (pip install -e .)"
         )
     model = mujoco.MjModel.from_xml_path(str(SCENE_PATH))
     data = mujoco.MjData(model)

@@ -10,12 +10,17 @@ import functools
 import importlib.util
 import os
 import sys
-from collections.abc import Iterator
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from labutils.figures import Picture, plot_cloud
+from labutils._picture import Picture
+from labutils._splat import get_depth_colors, get_view_point
+from labutils.figures import plot_cloud
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 _SIZE = (960, 720)  # width, height of an off-screen picture
 _FRAME_SIZE = 0.2  # length of the drawn coordinate axes in meters
@@ -87,7 +92,7 @@ def make_open3d_cloud(points: np.ndarray, colors: np.ndarray | None = None) -> A
 
 
 def _has_screen() -> bool:
-    if sys.platform.startswith("linux"):
+    if os.name == "posix" and sys.platform != "darwin":
         return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
     # A notebook server on macOS or Windows has a screen too, but a window would block the cell.
     return "ipykernel" not in sys.modules
@@ -103,8 +108,6 @@ def _show_window(points: np.ndarray, colors: np.ndarray | None) -> None:
 def _draw_off_screen(points: np.ndarray, colors: np.ndarray | None) -> Picture:
     """Draw with Open3D's own renderer into memory."""
     import open3d as o3d  # noqa: PLC0415 - see make_open3d_cloud
-
-    from labutils.figures import get_depth_colors, get_view_point  # noqa: PLC0415 - one use
 
     with _quiet_stdout():
         renderer = _make_off_screen_renderer()
@@ -141,7 +144,7 @@ def _quiet_stdout() -> Iterator[None]:
     sys.stdout.flush()
     saved = os.dup(1)
     try:
-        with open(os.devnull, "wb") as sink:
+        with Path(os.devnull).open("wb") as sink:
             os.dup2(sink.fileno(), 1)
             yield
     finally:

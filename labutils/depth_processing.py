@@ -8,15 +8,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import cv2
-import mujoco
 import numpy as np
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils._guards import check_depth_image, check_depth_limits, check_real_array
-from labutils.camera_utils import render_camera
-from labutils.rendering import is_gl_available
 
 if TYPE_CHECKING:
+    import mujoco
+
     from labutils.rendering import AnyRenderer
 
 
@@ -136,13 +135,19 @@ def render_raw_depth(
     ValueError
         If the model has no such camera.
     """
+    # MuJoCo is imported here so that the rest of this module runs where it does not exist: in the
+    # browser.
+    import mujoco  # noqa: PLC0415
+
+    from labutils.camera_utils import render_camera  # noqa: PLC0415
+    from labutils.rendering import is_gl_available  # noqa: PLC0415
+
     _, depth = render_camera(model, data, renderer, camera_name)
     if not (is_gl_available() and isinstance(renderer, mujoco.Renderer)):
         return metric_to_raw(depth, *get_clip_planes(model)).astype(np.float32)
     height, width = depth.shape
     raw = np.empty((height, width), dtype=np.float32)
-    context_class = mujoco.GLContext
-    gl_context = context_class(width, height)
+    gl_context = mujoco.GLContext(width, height)
     try:
         gl_context.make_current()
         context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)

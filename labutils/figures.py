@@ -6,109 +6,34 @@ Every function returns a `Picture`, which shows itself as the last line of a cel
 
 from __future__ import annotations
 
-import io
-from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
-import cv2
-import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
 from labutils._guards import check_columns, check_depth_image
-from labutils._splat import make_axes_points, make_look_at, render_points
-
-#: Okabe-Ito: eight colors that stay apart for every kind of color vision.
-CATEGORY_COLORS = (
-    "#0072B2",
-    "#E69F00",
-    "#009E73",
-    "#D55E00",
-    "#56B4E9",
-    "#CC79A7",
-    "#F0E442",
-    "#8A8A8A",
+from labutils._picture import CATEGORY_COLORS, WIDTHS, Picture, make_axes, use_style
+from labutils._splat import (
+    get_depth_colors,
+    get_view_point,
+    make_axes_points,
+    make_look_at,
+    render_points,
 )
 
-#: Mid gray: contrast 4.5:1 and more on the book's paper and on its dark ground.
-_INK = "#767b85"
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
-_WIDTHS = {"full": 7.2, "half": 3.6}  # inches; the text column is 7.2 inches at 100 px per inch
-_DPI = 200  # two device pixels per page pixel
-
-_STYLE = {
-    "figure.facecolor": "none",
-    "axes.facecolor": "none",
-    "savefig.facecolor": "none",
-    "text.color": _INK,
-    "axes.labelcolor": _INK,
-    "axes.edgecolor": _INK,
-    "axes.titlecolor": _INK,
-    "xtick.color": _INK,
-    "ytick.color": _INK,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 10,
-    "font.size": 9,
-    "axes.prop_cycle": mpl.cycler(color=CATEGORY_COLORS),
-    "image.interpolation": "nearest",
-    "legend.frameon": False,
-    # A fixed salt makes the ids in SVG files, and so the built book, the same in every run.
-    "svg.hashsalt": "labutils",
-}
-
-
-class Picture:
-    """A finished figure that a notebook, a page and a test can use.
-
-    Parameters
-    ----------
-    png : bytes
-        The picture, two device pixels per page pixel.
-    summary : str
-        What it shows, in words: shown where no picture can be.
-    """
-
-    def __init__(self, png: bytes, summary: str) -> None:
-        self.png = png
-        self.summary = summary
-
-    @classmethod
-    def from_figure(cls, figure: Figure, summary: str) -> Picture:
-        """Draw a Matplotlib figure; the same figure gives the same bytes."""
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png", dpi=_DPI, metadata={"Software": None})
-        return cls(buffer.getvalue(), summary)
-
-    @classmethod
-    def from_rgb(cls, image: np.ndarray, summary: str) -> Picture:
-        """Wrap a uint8 image (H, W, 3) or (H, W, 4)."""
-        code = cv2.COLOR_RGBA2BGRA if image.shape[2] == 4 else cv2.COLOR_RGB2BGR
-        done, png = cv2.imencode(".png", cv2.cvtColor(image, code))
-        if not done:
-            raise ValueError(f"image: expected a picture that PNG can hold, got {image.shape}")
-        return cls(png.tobytes(), summary)
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height in device pixels, read from the PNG header."""
-        return (int.from_bytes(self.png[16:20], "big"), int.from_bytes(self.png[20:24], "big"))
-
-    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        width = min(self.size[0] // 2, 720)
-        return {"image/png": self.png, "text/plain": repr(self)}, {"image/png": {"width": width}}
-
-    def __repr__(self) -> str:
-        return f"<Picture {self.size[0]}x{self.size[1]}: {self.summary}>"
-
-
-def _make_axes(
-    columns: int, width: str, height: float, **options: Any
-) -> tuple[Figure, Sequence[Any]]:
-    """Make a figure with a row of axes; `height` is in inches."""
-    figure = Figure(figsize=(_WIDTHS[width], height), layout="constrained")
-    axes = figure.subplots(1, columns, squeeze=False, **options)[0]
-    return figure, axes
+__all__ = [
+    "CATEGORY_COLORS",
+    "Picture",
+    "plot_cloud",
+    "plot_comparison",
+    "plot_depth",
+    "plot_histogram",
+    "plot_images",
+    "plot_lines",
+]
 
 
 def plot_images(
@@ -133,10 +58,10 @@ def plot_images(
     columns = columns or len(images)
     rows = -(-len(images) // columns)
     first = next(iter(images.values()))
-    cell = _WIDTHS[width] / columns
-    with mpl.rc_context(_STYLE):
+    cell = WIDTHS[width] / columns
+    with use_style():
         height = rows * (cell * first.shape[0] / first.shape[1] + 0.3)
-        figure = Figure(figsize=(_WIDTHS[width], height), layout="constrained")
+        figure = Figure(figsize=(WIDTHS[width], height), layout="constrained")
         axes = figure.subplots(rows, columns, squeeze=False).ravel()
         for ax in axes:
             ax.set_axis_off()
@@ -176,9 +101,9 @@ def plot_depth(
     depth = check_depth_image("depth", depth)
     shown = np.where(np.isfinite(depth), depth, np.nan)
     low, high = limits or (np.nanmin(shown), np.nanmax(shown))
-    with mpl.rc_context(_STYLE):
+    with use_style():
         aspect = depth.shape[0] / depth.shape[1]
-        figure, (ax,) = _make_axes(1, width, _WIDTHS[width] * 0.87 * aspect + 0.3)
+        figure, (ax,) = make_axes(1, width, WIDTHS[width] * 0.87 * aspect + 0.3)
         image = ax.imshow(shown, cmap="turbo", vmin=low, vmax=high)
         ax.set_title(title)
         ax.set_axis_off()
@@ -216,9 +141,9 @@ def plot_comparison(
     low, high = limits or (np.nanmin(truth), np.nanmax(truth))
     if error_limit_mm is None:
         error_limit_mm = max(float(np.nanpercentile(np.abs(error_mm), 99)), 1e-6)
-    with mpl.rc_context(_STYLE):
-        height = _WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.75
-        figure, axes = _make_axes(3, "full", height)
+    with use_style():
+        height = WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.75
+        figure, axes = make_axes(3, "full", height)
         for ax, title, image in zip(axes, ("ours", "truth"), (ours, truth), strict=False):
             ax.set_title(title)
             shown = ax.imshow(image, cmap="turbo", vmin=low, vmax=high)
@@ -263,8 +188,8 @@ def plot_histogram(
         min(v.min() for v in finite.values()),
         max(v.max() for v in finite.values()),
     )
-    with mpl.rc_context(_STYLE):
-        figure, (ax,) = _make_axes(1, "full", 2.6)
+    with use_style():
+        figure, (ax,) = make_axes(1, "full", 2.6)
         for name, values in finite.items():
             ax.hist(values, bins=bins, range=(low, high), histtype="step", label=name, lw=1.6)
         ax.set_xlabel(label)
@@ -302,8 +227,8 @@ def plot_lines(
     -------
     Picture
     """
-    with mpl.rc_context(_STYLE):
-        figure, (ax,) = _make_axes(1, "full", 2.8)
+    with use_style():
+        figure, (ax,) = make_axes(1, "full", 2.8)
         for name, y in lines.items():
             (line,) = ax.plot(x, y, lw=1.8)
             last = np.flatnonzero(np.isfinite(y))[-1]
@@ -321,36 +246,6 @@ def plot_lines(
         if log_y:
             ax.set_yscale("log")
         return Picture.from_figure(figure, f"{y_label} over {x_label}: {', '.join(lines)}")
-
-
-def get_depth_colors(points: np.ndarray) -> np.ndarray:
-    """Color points by their third coordinate in turbo; return RGB in [0, 1], shape (N, 3)."""
-    z = points[:, 2]
-    span = np.ptp(z) or 1.0
-    return mpl.colormaps["turbo"]((z - z.min()) / span)[:, :3]
-
-
-def get_view_point(
-    points: np.ndarray, azimuth_deg: float = 25.0, elevation_deg: float = 20.0
-) -> tuple[np.ndarray, np.ndarray]:
-    """Choose a place to look at a cloud of the camera frame (y down) from.
-
-    Returns
-    -------
-    target, eye : ndarray, shape (3,)
-        The middle of the cloud, and a point behind and above the camera's own place.
-    """
-    target = np.median(points, axis=0)
-    radius = 1.1 * float(np.percentile(np.linalg.norm(points - target, axis=1), 90)) + 1e-6
-    azimuth, elevation = np.deg2rad([azimuth_deg, elevation_deg])
-    direction = np.array(
-        [
-            np.sin(azimuth) * np.cos(elevation),
-            -np.sin(elevation),
-            -np.cos(azimuth) * np.cos(elevation),
-        ]
-    )
-    return target, target + radius * direction
 
 
 def plot_cloud(
@@ -389,7 +284,7 @@ def plot_cloud(
         raise ValueError(f"frame: expected 'camera' or 'world', got {frame!r}")
     if colors is None:
         colors = get_depth_colors(points)
-    # The world's axes (x forward, y left, z up) as seen in camera order (x right, y down, z forward).
+    # From the world's axes (x forward, y left, z up) to x right, y down, z forward.
     turn = np.eye(3) if frame == "camera" else np.array([[0, -1, 0], [0, 0, -1], [1, 0, 0.0]])
     turned = points @ turn.T
     if axes:
@@ -400,5 +295,5 @@ def plot_cloud(
     width, height = 1440, 1000
     K = np.array([[1300.0, 0, width / 2], [0, 1300.0, height / 2], [0, 0, 1]])
     T_cam_world = make_look_at(eye, target, np.array([0.0, -1.0, 0.0]))
-    rgba = render_points(turned, colors, T_cam_world, K, (width, height), point_size)
+    rgba = render_points(turned, colors, T_cam_world, K, (width, height), point_size=point_size)
     return Picture.from_rgb(rgba, f"point cloud of {len(points)} points in the {frame} frame")

@@ -6,9 +6,9 @@ Taught in: steps 3 to 6. From a shell: ``python -m labutils``.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import cv2
-import numpy as np
 from tqdm import tqdm
 
 from labutils._constants import HSV_RANGES
@@ -16,17 +16,14 @@ from labutils._guards import check_columns, check_rgb_image
 from labutils.camera_utils import get_camera_intrinsics, make_scene, render_camera
 from labutils.color_segmentation import find_object_centroid, segment_by_color, visualize_detection
 from labutils.depth_processing import visualize_depth
-from labutils.pointcloud import depth_to_pointcloud, write_ply
+from labutils.ply import write_ply
+from labutils.pointcloud import depth_to_pointcloud
 from labutils.rendering import make_renderer
 
-#: File names as the lab promises them.
-FILE_NAMES = (
-    "rgb_view.png",
-    "depth_view.png",
-    "detection_result.png",
-    "scene_pointcloud.ply",
-    "pointcloud.xyz",
-)
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import numpy as np
 
 
 def save_rgb_view(folder: str | Path, rgb_image: np.ndarray) -> Path:
@@ -49,7 +46,7 @@ def save_rgb_view(folder: str | Path, rgb_image: np.ndarray) -> Path:
     TypeError, ValueError, OSError
         If the picture is not uint8 RGB, or the file cannot be written.
     """
-    return _save_rgb(folder, FILE_NAMES[0], rgb_image)
+    return _save_rgb(folder, "rgb_view.png", rgb_image)
 
 
 def save_depth_view(folder: str | Path, depth_metric: np.ndarray, max_depth: float = 5.0) -> Path:
@@ -57,7 +54,7 @@ def save_depth_view(folder: str | Path, depth_metric: np.ndarray, max_depth: flo
 
     Parameters and errors as in `visualize_depth`; returns the file written.
     """
-    return _save_bgr(folder, FILE_NAMES[1], visualize_depth(depth_metric, max_depth))
+    return _save_bgr(folder, "depth_view.png", visualize_depth(depth_metric, max_depth))
 
 
 def save_detection_result(
@@ -70,14 +67,14 @@ def save_detection_result(
 
     Parameters and errors as in `visualize_detection`; returns the file written.
     """
-    return _save_rgb(folder, FILE_NAMES[2], visualize_detection(rgb_image, centroid, mask))
+    return _save_rgb(folder, "detection_result.png", visualize_detection(rgb_image, centroid, mask))
 
 
 def save_scene_pointcloud(
     folder: str | Path, points: np.ndarray, colors: np.ndarray | None = None
 ) -> Path:
     """Write ``scene_pointcloud.ply``; parameters and errors as in `write_ply`."""
-    return write_ply(_make_folder(folder) / FILE_NAMES[3], points, colors)
+    return write_ply(_make_folder(folder) / "scene_pointcloud.ply", points, colors)
 
 
 def save_pointcloud_xyz(folder: str | Path, points: np.ndarray) -> Path:
@@ -96,7 +93,7 @@ def save_pointcloud_xyz(folder: str | Path, points: np.ndarray) -> Path:
         The file written.
     """
     points = check_columns("points", points, 3)
-    path = _make_folder(folder) / FILE_NAMES[4]
+    path = _make_folder(folder) / "pointcloud.xyz"
     # One format call for all numbers: ten times as fast as np.savetxt, byte for byte the same.
     text = ("%.4f %.4f %.4f\n" * len(points)) % tuple(points.ravel().tolist())
     path.write_text(text, encoding="ascii")
@@ -127,7 +124,7 @@ def save_outputs(
     Returns
     -------
     list of pathlib.Path
-        The five files, in the order of `FILE_NAMES`.
+        The five files, in the order of the lab.
 
     Raises
     ------
@@ -135,7 +132,7 @@ def save_outputs(
         If the camera does not exist, the size is no picture size, or a file cannot be written.
     """
     folder = _make_folder(folder)
-    bar = tqdm(total=1 + len(FILE_NAMES), unit="step", disable=not progress)
+    bar = tqdm(total=6, unit="step", disable=not progress)
     with bar:
         bar.set_description("rendering")
         model, data = make_scene()
@@ -145,15 +142,16 @@ def save_outputs(
         K, _ = get_camera_intrinsics(model, camera_name, width, height)
         points, colors = depth_to_pointcloud(depth, K, rgb)
         mask = segment_by_color(rgb, HSV_RANGES["red"])
-        steps = (
-            lambda: save_rgb_view(folder, rgb),
-            lambda: save_depth_view(folder, depth),
-            lambda: save_detection_result(folder, rgb, find_object_centroid(mask), mask),
-            lambda: save_scene_pointcloud(folder, points, colors),
-            lambda: save_pointcloud_xyz(folder, points),
-        )
+        centroid = find_object_centroid(mask)
+        steps: dict[str, Callable[[], Path]] = {
+            "rgb_view.png": lambda: save_rgb_view(folder, rgb),
+            "depth_view.png": lambda: save_depth_view(folder, depth),
+            "detection_result.png": lambda: save_detection_result(folder, rgb, centroid, mask),
+            "scene_pointcloud.ply": lambda: save_scene_pointcloud(folder, points, colors),
+            "pointcloud.xyz": lambda: save_pointcloud_xyz(folder, points),
+        }
         paths = []
-        for name, save in zip(FILE_NAMES, steps, strict=True):
+        for name, save in steps.items():
             bar.set_description(name)
             paths.append(save())
             bar.update()

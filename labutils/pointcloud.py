@@ -1,17 +1,16 @@
-"""From a depth image to points in space, and to files other programs read.
+"""From a depth image to points in space.
 
-Taught in: step 5 (back-projection, frames) and step 6 (viewing and saving).
+Taught in: step 5 (back-projection, frames) and step 6 (viewing).
 """
 
 from __future__ import annotations
-
-from pathlib import Path
 
 import cv2
 import numpy as np
 
 from labutils._constants import FLIP_YZ
 from labutils._guards import (
+    check_colors,
     check_columns,
     check_depth_image,
     check_intrinsics,
@@ -262,61 +261,6 @@ def world_to_camera(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarr
     return (points - position) @ (rotation @ FLIP_YZ)
 
 
-def write_ply(path: str | Path, points: np.ndarray, colors: np.ndarray | None = None) -> Path:
-    """Write a point cloud as binary PLY, readable by Open3D, MeshLab and CloudCompare.
-
-    Written here, not by Open3D, because Open3D cannot even be imported on a machine without the
-    EGL library, and the file must come out there too.
-
-    Parameters
-    ----------
-    path : path
-        The file; its folder must exist.
-    points : array-like, real, shape (N, 3)
-        Meters; stored as float32.
-    colors : array-like, real in [0, 1], shape (N, 3), optional
-        RGB; stored as uint8.
-
-    Returns
-    -------
-    pathlib.Path
-        The file written.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a shape does not fit, or a color lies outside [0, 1]. Nothing is written then.
-
-    References
-    ----------
-    .. [1] Turk, The PLY Polygon File Format, 1994.
-    """
-    points = check_columns("points", points, 3)
-    fields = [("x", "<f4"), ("y", "<f4"), ("z", "<f4")]
-    header = ["property float x", "property float y", "property float z"]
-    if colors is not None:
-        colors = _check_colors(colors, len(points))
-        fields += [("red", "u1"), ("green", "u1"), ("blue", "u1")]
-        header += ["property uchar red", "property uchar green", "property uchar blue"]
-    vertices = np.empty(len(points), dtype=fields)
-    for axis, (name, _) in enumerate(fields):
-        source = points[:, axis] if axis < 3 else np.round(colors[:, axis - 3] * 255)
-        vertices[name] = source
-    lines = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}", *header]
-    path = Path(path)
-    path.write_bytes(("\n".join([*lines, "end_header"]) + "\n").encode() + vertices.tobytes())
-    return path
-
-
-def _check_colors(colors: np.ndarray, count: int) -> np.ndarray:
-    colors = check_columns("colors", colors, 3)
-    if len(colors) != count:
-        raise ValueError(f"colors: expected one per point ({count}), got {len(colors)}")
-    if colors.size and not (colors.min() >= 0 and colors.max() <= 1):
-        raise ValueError(f"colors: expected 0 to 1, got {colors.min():g} to {colors.max():g}")
-    return colors
-
-
 def visualize_pointcloud(points: np.ndarray, colors: np.ndarray | None = None) -> object | None:
     """Show a point cloud: in an Open3D window, or as a picture where there is no screen.
 
@@ -345,5 +289,5 @@ def visualize_pointcloud(points: np.ndarray, colors: np.ndarray | None = None) -
     if len(points) == 0:
         raise ValueError("points: expected at least one point, got none")
     if colors is not None:
-        colors = _check_colors(colors, len(points))
+        colors = check_colors(colors, len(points))
     return show_cloud(points, colors)

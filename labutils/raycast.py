@@ -8,7 +8,7 @@ Taught in: step 3 and step 5.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Self
 
 import mujoco
 import numpy as np
@@ -19,6 +19,9 @@ from labutils.camera_utils import get_camera_id, get_camera_intrinsics
 
 #: MuJoCo draws the geom groups 0, 1 and 2 unless told otherwise; rays must see the same geoms.
 _VISIBLE_GROUPS = np.array([1, 1, 1, 0, 0, 0], dtype=np.uint8)
+
+#: Geoms of bodies that cannot move are drawn, so rays hit them too.
+_HIT_STATIC_GEOMS = True
 
 _SKY_RGB = np.array([0.62, 0.74, 0.86])
 
@@ -125,7 +128,7 @@ def _cast(
         data.cam_xpos[camera_id],
         (rays / lengths[..., None]).ravel(),
         _VISIBLE_GROUPS,
-        True,  # static geoms are drawn, so rays hit them too
+        _HIT_STATIC_GEOMS,
         -1,  # no body is left out
         geom_ids,
         distances,
@@ -241,7 +244,7 @@ class RaycastRenderer:
         """Forget the frame; nothing else has to be freed."""
         self._frame = None
 
-    def __enter__(self) -> RaycastRenderer:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exc_info: object) -> None:

@@ -11,14 +11,17 @@ import functools
 import os
 import sys
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     import mujoco
 
     from labutils.raycast import RaycastRenderer
 
-    AnyRenderer = mujoco.Renderer | RaycastRenderer
+    AnyRenderer: TypeAlias = "mujoco.Renderer | RaycastRenderer"
+
+#: Values of MUJOCO_GL that MuJoCo itself understands as "no OpenGL".
+_SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
 
 _INSTALL_HINTS = {
     "linux": "sudo apt-get install libegl1 libgl1-mesa-dri",
@@ -115,13 +118,7 @@ def _find_gl_problem() -> str | None:
     """Draw one pixel; return what went wrong, or None."""
     import mujoco  # noqa: PLC0415 - see make_renderer
 
-    if os.environ.get("MUJOCO_GL", "").strip().lower() in {
-        "0",
-        "disable",
-        "disabled",
-        "false",
-        "off",
-    }:
+    if os.environ.get("MUJOCO_GL", "").strip().lower() in _SWITCHED_OFF:
         return os.environ.get("LABUTILS_GL_MISSING", "MUJOCO_GL switches OpenGL off")
     try:
         model = mujoco.MjModel.from_xml_string("<mujoco/>")

@@ -1,0 +1,56 @@
+# Camera Image Processing for Robotics. `make` alone lists the targets.
+
+PYTHON ?= python3
+VENV := .venv
+ifeq ($(OS),Windows_NT)
+BIN := $(VENV)/Scripts
+else
+BIN := $(VENV)/bin
+endif
+RUN := $(BIN)/python
+export PYTHONHASHSEED := 0
+
+.DEFAULT_GOAL := help
+.PHONY: help setup book serve lab outputs test lint format check bench lock clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+setup: ## install what is needed (every other target does it by itself)
+	@$(PYTHON) tools/setup_env.py
+
+book: setup ## execute every chapter and build the pages
+	@$(RUN) tools/build_book.py
+
+serve: book ## build the pages and serve them at http://localhost:8000
+	@$(RUN) -m http.server --bind 127.0.0.1 --directory _build/html 8000
+
+lab: setup ## open the chapters as notebooks in JupyterLab
+	@$(RUN) -m jupyter lab book
+
+outputs: setup ## write the five files of the lab into outputs/
+	@$(RUN) -m labutils --out outputs
+
+test: setup ## run all tests, and every chapter as a notebook
+	@$(RUN) -m pytest -n auto --dist worksteal
+
+lint: setup ## check style and types
+	@$(RUN) -m ruff check .
+	@$(RUN) -m ruff format --check .
+	@$(RUN) -m mypy
+
+format: setup ## rewrite the source in the house style
+	@$(RUN) -m ruff check --fix .
+	@$(RUN) -m ruff format .
+
+check: lint test ## what CI runs
+
+bench: setup ## measure speed as ratios against named peers
+	@$(RUN) tools/bench.py
+
+lock: setup ## write requirements.txt anew from requirements.in
+	@$(RUN) -m uv pip compile requirements.in --universal --python-version 3.11 \
+		--generate-hashes --no-annotate --no-header --quiet -o requirements.txt
+
+clean: ## remove everything `make` built, the virtual environment too
+	@rm -rf _build outputs $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache

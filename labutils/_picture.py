@@ -1,0 +1,111 @@
+"""The one style of all figures, and the object that carries a finished one."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, Any
+
+import cv2
+import matplotlib as mpl
+from cycler import cycler
+from matplotlib.figure import Figure
+
+if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
+    import numpy as np
+
+#: Okabe-Ito: eight colors that stay apart for every kind of color vision.
+CATEGORY_COLORS = (
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#D55E00",
+    "#56B4E9",
+    "#CC79A7",
+    "#F0E442",
+    "#8A8A8A",
+)
+
+#: Mid gray: contrast 4.5:1 and more on the book's paper and on its dark ground.
+_INK = "#767b85"
+
+WIDTHS = {"full": 7.2, "half": 3.6}  # inches; the text column is 7.2 inches at 100 px per inch
+_DPI = 200  # two device pixels per page pixel
+
+_STYLE: dict[str, Any] = {
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "savefig.facecolor": "none",
+    "text.color": _INK,
+    "axes.labelcolor": _INK,
+    "axes.edgecolor": _INK,
+    "axes.titlecolor": _INK,
+    "xtick.color": _INK,
+    "ytick.color": _INK,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 10,
+    "font.size": 9,
+    "axes.prop_cycle": cycler(color=CATEGORY_COLORS),
+    "image.interpolation": "nearest",
+    "legend.frameon": False,
+    # A fixed salt makes the ids in SVG files, and so the built book, the same in every run.
+    "svg.hashsalt": "labutils",
+}
+
+
+class Picture:
+    """A finished figure that a notebook, a page and a test can use.
+
+    Parameters
+    ----------
+    png : bytes
+        The picture, two device pixels per page pixel.
+    summary : str
+        What it shows, in words: shown where no picture can be.
+    """
+
+    def __init__(self, png: bytes, summary: str) -> None:
+        self.png = png
+        self.summary = summary
+
+    @classmethod
+    def from_figure(cls, figure: Figure, summary: str) -> Picture:
+        """Draw a Matplotlib figure; the same figure gives the same bytes."""
+        buffer = io.BytesIO()
+        figure.savefig(buffer, format="png", dpi=_DPI, metadata={"Software": None})
+        return cls(buffer.getvalue(), summary)
+
+    @classmethod
+    def from_rgb(cls, image: np.ndarray, summary: str) -> Picture:
+        """Wrap a uint8 image (H, W, 3) or (H, W, 4)."""
+        code = cv2.COLOR_RGBA2BGRA if image.shape[2] == 4 else cv2.COLOR_RGB2BGR
+        done, png = cv2.imencode(".png", cv2.cvtColor(image, code))
+        if not done:
+            raise ValueError(f"image: expected a picture that PNG can hold, got {image.shape}")
+        return cls(png.tobytes(), summary)
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in device pixels, read from the PNG header."""
+        return (int.from_bytes(self.png[16:20], "big"), int.from_bytes(self.png[20:24], "big"))
+
+    def _repr_mimebundle_(self, **_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        width = min(self.size[0] // 2, 720)
+        return {"image/png": self.png, "text/plain": repr(self)}, {"image/png": {"width": width}}
+
+    def __repr__(self) -> str:
+        return f"<Picture {self.size[0]}x{self.size[1]}: {self.summary}>"
+
+
+def use_style() -> AbstractContextManager[None]:
+    """Draw in the book's style inside a ``with`` block."""
+    return mpl.rc_context(_STYLE)  # type: ignore[arg-type]  # stubs want literal keys
+
+
+def make_axes(columns: int, width: str, height: float, **options: Any) -> tuple[Figure, list[Any]]:
+    """Make a figure with a row of axes; `height` is in inches."""
+    figure = Figure(figsize=(WIDTHS[width], height), layout="constrained")
+    axes = list(figure.subplots(1, columns, squeeze=False, **options)[0])
+    return figure, axes
