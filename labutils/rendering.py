@@ -109,7 +109,13 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer
 
 
 def is_gl_available() -> bool:
-    """Tell whether OpenGL can draw in this process."""
+    """Tell whether OpenGL can draw in this process.
+
+    Returns
+    -------
+    bool
+        False means that `make_renderer` hands out the ray caster.
+    """
     return _find_gl_problem() is None
 
 
