@@ -27,6 +27,7 @@ const SIZES = { desktop: { width: 1280, height: 900 }, phone: { width: 390, heig
 const THEMES = ["light", "dark"];
 const NARROW = { width: 360, height: 740 };
 const SETTLE_MS = 1500; // longest wait for a page whose widgets keep the network busy
+const TALLEST = 16000; // px; a taller picture is more than Chromium draws
 const OWN = /^(file|data|blob|about):/;
 
 const [folder, out, ...wanted] = process.argv.slice(2);
@@ -66,7 +67,10 @@ async function visit(name) {
     for (const [size, viewport] of Object.entries(SIZES)) {
       const page = await openPage(name, theme, viewport, found);
       const file = `${name.replaceAll("/", "-")}.${theme}.${size}.png`;
-      await page.screenshot({ path: join(out, file), fullPage: true });
+      // one tall window: Chromium's own full-page mode loses what scrolls inside the sidebar
+      const height = await page.evaluate(() => document.documentElement.scrollHeight);
+      await page.setViewportSize({ width: viewport.width, height: Math.min(height, TALLEST) });
+      await page.screenshot({ path: join(out, file) });
       await page.context().close();
     }
   }
