@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 #: Values of MUJOCO_GL that MuJoCo itself understands as "no OpenGL".
 _SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
 
+_USERS_CHOICE = "MUJOCO_GL switches OpenGL off"
+
 _INSTALL_HINTS = {
     "linux": "sudo apt-get install libegl1 libgl1-mesa-dri",
     "darwin": "no package is missing on macOS: unset MUJOCO_GL and start Python again",
@@ -125,7 +127,7 @@ def _find_gl_problem() -> str | None:
     import mujoco  # noqa: PLC0415 - see make_renderer
 
     if os.environ.get("MUJOCO_GL", "").strip().lower() in _SWITCHED_OFF:
-        return os.environ.get("LABUTILS_GL_MISSING", "MUJOCO_GL switches OpenGL off")
+        return os.environ.get("LABUTILS_GL_MISSING", _USERS_CHOICE)
     try:
         model = mujoco.MjModel.from_xml_string("<mujoco/>")
         with mujoco.Renderer(model, 1, 1) as renderer:
@@ -141,6 +143,8 @@ def _find_gl_problem() -> str | None:
 @functools.cache
 def _warn_once(reason: str) -> None:
     hint = _INSTALL_HINTS.get("linux" if sys.platform.startswith("linux") else sys.platform, "")
+    if reason == _USERS_CHOICE:
+        hint = "unset MUJOCO_GL"
     warnings.warn(
         f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels are "
         f"exact, colors are flat. To get OpenGL: {hint}",

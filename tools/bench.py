@@ -18,7 +18,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import bench_routes
@@ -42,15 +42,19 @@ MEMORY = {"as it is": {}, "memory kept": KEEP_MEMORY}
 
 TOLERANCE = 1e-5  # meters and shares of color: float32 against float64
 PACKAGES = {
-    "MuJoCo": "mujoco",
-    "NumPy": "numpy",
-    "OpenCV": "opencv-python-headless",
-    "Open3D": "open3d-cpu",
+    "MuJoCo": ("mujoco",),
+    "NumPy": ("numpy",),
+    "OpenCV": ("opencv-python-headless",),
+    "Open3D": ("open3d-cpu", "open3d"),  # the small build on Linux, the only one elsewhere
 }
+
+# A turn is a short burst, as in a camera loop; its first run only wakes the process and fills
+# the caches. A rendering takes a hundred times as long, and no caches outlive it.
+CLOUD_BURST, RENDER_BURST = 5, 1
 
 
 class Worker:
-    """A process that runs one route whenever it is asked to."""
+    """A process that runs one route when it is its turn."""
 
     def __init__(self, route: str, frame: Path, variables: dict[str, str]) -> None:
         self.route = route
@@ -88,10 +92,12 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         frame = save_frame(Path(folder))
         clouds = {
-            memory: measure_group(list(bench_routes.CLOUD), frame, variables, options.rounds)
+            memory: measure_group(
+                list(bench_routes.CLOUD), frame, variables, options.rounds, CLOUD_BURST
+            )
             for memory, variables in MEMORY.items()
         }
-        renders = measure_group(list(bench_routes.RENDER), frame, {}, options.rounds)
+        renders = measure_group(list(bench_routes.RENDER), frame, {}, options.rounds, RENDER_BURST)
     table = make_table(clouds, renders)
     options.out.parent.mkdir(parents=True, exist_ok=True)
     options.out.write_text(table, encoding="utf-8")
@@ -112,21 +118,21 @@ def save_frame(folder: Path) -> Path:
 
 
 def measure_group(
-    routes: list[str], frame: Path, variables: dict[str, str], rounds: int
+    routes: list[str], frame: Path, variables: dict[str, str], rounds: int, burst: int
 ) -> dict[str, list[float]]:
     """Verify that the routes agree, then let them take turns; return seconds per route."""
     workers = [Worker(route, frame, variables) for route in routes]
     try:
         verify(workers, frame.parent)
-        for _ in range(5):  # warm up: caches, lazy imports, the heap's own habits
-            for worker in workers:
-                worker.ask("run")
+        for worker in workers:  # lazy imports, the heap's own habits
+            worker.ask("run 5")
         seconds = {worker.route: [] for worker in workers}
         for turn in range(rounds):
             # Another one starts every time, so none always follows the same neighbor.
             start = turn % len(workers)
             for worker in workers[start:] + workers[:start]:
-                seconds[worker.route].append(float(worker.ask("run")))
+                answer = [float(word) for word in worker.ask(f"run {burst}").split()]
+                seconds[worker.route].extend(answer[1:] or answer)
     finally:
         for worker in workers:
             worker.stop()
@@ -153,12 +159,10 @@ def verify(workers: list[Worker], folder: Path) -> None:
 
 def make_table(clouds: dict[str, dict[str, list[float]]], renders: dict[str, list[float]]) -> str:
     """Write both comparisons as MyST tables of ratios."""
-    versions = ", ".join(f"{name} {version(package)}" for name, package in PACKAGES.items())
     lines = [
         "% written by tools/bench.py (make bench); do not edit",
         "",
-        f":::{{table}} From RGB-D to a colored cloud, {WIDTH}x{HEIGHT}: time relative to labutils. "
-        "Median of all turns, in brackets the fastest one.",
+        f":::{{table}} From RGB-D to a colored cloud at {WIDTH}x{HEIGHT}: times the time of labutils",
         "| route | C library as it is | memory kept |",
         "|---|---:|---:|",
     ]
@@ -168,26 +172,41 @@ def make_table(clouds: dict[str, dict[str, list[float]]], renders: dict[str, lis
     lines += [
         ":::",
         "",
-        f":::{{table}} RGB and depth of one frame, {WIDTH}x{HEIGHT}: time relative to two bare "
-        "passes.",
+        f":::{{table}} RGB and depth of one frame at {WIDTH}x{HEIGHT}: times the bare passes",
         "| route | time |",
         "|---|---:|",
     ]
     for route, label in bench_routes.RENDER.items():
-        lines.append(f"| {label} | {format_ratio(renders[route], renders['bare'], digits=2)} |")
-    lines += [":::", "", f"Measured with {versions}.", ""]
+        lines.append(f"| {label} | {format_ratio(renders[route], renders['bare'])} |")
+    versions = ", ".join(f"{name} {find_version(names)}" for name, names in PACKAGES.items())
+    lines += [
+        ":::",
+        "",
+        f"Ratios of medians; in brackets, of the fastest runs. Measured with {versions}.",
+        "",
+    ]
     return "\n".join(lines)
 
 
-def format_ratio(times: list[float], reference: list[float], digits: int = 1) -> str:
-    """Return the ratio of the medians and, in brackets, of the fastest turns."""
+def find_version(packages: tuple[str, ...]) -> str:
+    """Return the version of the first package that is installed."""
+    for package in packages:
+        try:
+            return version(package)
+        except PackageNotFoundError:
+            continue
+    raise SystemExit(f"bench: expected one of {', '.join(packages)} to be installed")
+
+
+def format_ratio(times: list[float], reference: list[float]) -> str:
+    """Return the ratio of the medians and, in brackets, of the fastest runs."""
     median = statistics.median(times) / statistics.median(reference)
     fastest = min(times) / min(reference)
-    return f"{_round(median, digits)} ({_round(fastest, digits)})"
+    return f"{_round(median)} ({_round(fastest)})"
 
 
-def _round(ratio: float, digits: int) -> str:
-    return f"{ratio:.{max(digits, 2) if ratio < 1 else digits}f}"
+def _round(ratio: float) -> str:
+    return f"{ratio:.1f}" if ratio > 2 else f"{ratio:.2f}"
 
 
 def print_milliseconds(
