@@ -162,7 +162,7 @@ def make_table(clouds: dict[str, dict[str, list[float]]], renders: dict[str, lis
     lines = [
         "% written by tools/bench.py (make bench); do not edit",
         "",
-        f":::{{table}} From RGB-D to a colored cloud at {WIDTH}x{HEIGHT}: times the time of labutils",
+        f":::{{table}} From RGB-D to a colored cloud at {WIDTH}x{HEIGHT}: times labutils",
         "| route | C library as it is | memory kept |",
         "|---|---:|---:|",
     ]
