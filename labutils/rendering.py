@@ -1,13 +1,14 @@
 """The renderer contract: OpenGL where it works, the ray caster where it does not.
 
-Chooses the OpenGL backend before MuJoCo is imported, because MuJoCo reads ``MUJOCO_GL`` once, at
-import. Taught in: step 1 and the troubleshooting page.
+Chooses the OpenGL backend when the library is imported, because MuJoCo reads ``MUJOCO_GL`` once,
+at its own import. Taught in: step 1 and the troubleshooting page.
 """
 
 from __future__ import annotations
 
 import ctypes.util
 import functools
+import importlib
 import os
 import sys
 import warnings
@@ -61,7 +62,26 @@ def choose_gl_backend() -> str:
         chosen = "disable"
     if chosen:
         os.environ["MUJOCO_GL"] = chosen
+        _tell_mujoco()
     return chosen
+
+
+def _tell_mujoco() -> None:
+    """Let MuJoCo read ``MUJOCO_GL`` again where it was imported before this library.
+
+    MuJoCo reads the variable once, at import, and without it takes GLFW, which needs a screen.
+    ``import mujoco`` above ``import labutils`` is the alphabetical order, so this must work.
+    """
+    module = sys.modules.get("mujoco.rendering.classic.gl_context")
+    backend = os.environ["MUJOCO_GL"]
+    if module is None or getattr(module, "_MUJOCO_GL", backend) == backend:
+        return
+    if backend in _SWITCHED_OFF:
+        return  # `make_renderer` looks at the variable itself
+    import mujoco  # noqa: PLC0415 - it is imported already, or this line is not reached
+
+    importlib.reload(module)
+    mujoco.GLContext = module.GLContext  # the copy that mujoco/__init__.py made
 
 
 def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer:

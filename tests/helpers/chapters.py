@@ -16,6 +16,8 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 CELL_SECONDS = 120
 CHECKED = "nbval-check-output"
+#: Cells that show a warning on purpose.
+NOTICE = "notice"
 
 
 def get_toc_pages(root: Path = ROOT) -> list[Path]:
@@ -97,6 +99,7 @@ class NotebookRun:
     compared: int
     passed: int
     output: str
+    noise: tuple[str, ...] = ()
 
 
 def convert(page: Path, folder: Path) -> Path:
@@ -132,6 +135,12 @@ def run_notebook(path: Path) -> NotebookRun:
     if done.returncode != 0:
         return NotebookRun(0, 0, 0, done.stdout + done.stderr)
     cells = [c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code"]
+    noise = [
+        output.text
+        for cell in cells
+        for output in cell.outputs
+        if output.get("name") == "stderr" and NOTICE not in cell.metadata.get("tags", [])
+    ]
     marked = [c for c in cells if CHECKED in c.metadata.get("tags", [])]
     silent = [c.source for c in marked if not c.outputs]
     if silent:
@@ -150,5 +159,9 @@ def run_notebook(path: Path) -> NotebookRun:
     )
     passed = re.search(r"^(\d+) passed(?!.*(failed|error))", again.stdout, re.MULTILINE)
     return NotebookRun(
-        len(cells), len(marked), int(passed[1]) if passed else 0, again.stdout + again.stderr
+        len(cells),
+        len(marked),
+        int(passed[1]) if passed else 0,
+        again.stdout + again.stderr,
+        tuple(noise),
     )

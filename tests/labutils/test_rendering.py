@@ -192,6 +192,25 @@ def test_headless_linux_chooses_egl_and_a_users_choice_wins():
 
 
 @pytest.mark.slow
+@pytest.mark.skipif(
+    not sys.platform.startswith("linux") or rendering.ctypes.util.find_library("EGL") is None,
+    reason="only EGL, on Linux, draws without a screen",
+)
+def test_mujoco_may_be_imported_before_the_library():
+    # MuJoCo alone would settle for GLFW, which needs a screen.
+    code = """
+import mujoco
+from labutils import make_renderer, make_scene, render_raw_depth
+model, data = make_scene()
+renderer = make_renderer(model, 24, 32)
+print(type(renderer).__module__, render_raw_depth(model, data, renderer, 'head_camera').shape)
+"""
+    done = run_python(code)
+    assert done.stdout.strip() == "mujoco.rendering.classic.renderer (24, 32)", done.stderr
+    assert done.stderr == ""
+
+
+@pytest.mark.slow
 def test_without_the_egl_library_mujoco_still_imports_and_draws_with_rays():
     code = """
 import ctypes.util
