@@ -40,6 +40,9 @@ KEEP_MEMORY = {
 }
 MEMORY = {"as it is": {}, "memory kept": KEEP_MEMORY}
 
+# Threads that wait by spinning would run on through the next route's turn.
+QUIET = {"OMP_WAIT_POLICY": "passive"}
+
 TOLERANCE = 1e-5  # meters and shares of color: float32 against float64
 PACKAGES = {
     "MuJoCo": ("mujoco",),
@@ -60,7 +63,7 @@ class Worker:
         self.route = route
         self.process = subprocess.Popen(
             [sys.executable, str(ROUTES_FILE), route, str(frame)],
-            env=os.environ | variables,
+            env=os.environ | QUIET | variables,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
