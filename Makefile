@@ -17,7 +17,7 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: ## install what is needed (every other target does it by itself)
-	@$(PYTHON) tools/setup_env.py
+	@$(PYTHON) -u tools/setup_env.py
 
 book: setup ## execute every chapter and build the pages
 	@$(RUN) tools/build_book.py
