@@ -191,6 +191,12 @@ class RaycastRenderer:
                 "scene_option: the ray caster draws with MuJoCo's default options only"
             )
         name = camera if isinstance(camera, str) else _get_camera_name(self.model, camera)
+        if not data.cam_xmat[get_camera_id(self.model, name)].any():
+            # A state that was never forwarded: OpenGL draws nothing but sky then, and so do we.
+            shape = (self.height, self.width)
+            nothing = np.full(shape, np.nan), np.full(shape, -1), np.zeros((*shape, 3))
+            self._frame = (*nothing, np.ones((*shape, 3)))
+            return
         rays = get_pixel_rays(self.model, data, name, self.width, self.height)
         self._frame = (*_cast(self.model, data, name, self.width, self.height), rays)
 

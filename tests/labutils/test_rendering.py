@@ -171,6 +171,16 @@ def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(scene):
         renderer.render()
 
 
+@pytest.mark.parametrize("make", [make_renderer, RaycastRenderer])
+def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(scene, make):
+    model, _ = scene
+    with make(model, 24, 32) as renderer:
+        renderer.update_scene(mujoco.MjData(model), camera="head_camera")
+        assert renderer.render().shape == (24, 32, 3)
+        renderer.enable_depth_rendering()
+        assert_allclose(renderer.render(), 12.0, rtol=1e-4)
+
+
 def test_an_empty_model_is_all_sky_for_the_ray_caster():
     model = mujoco.MjModel.from_xml_string(
         "<mujoco><worldbody><camera name='c'/></worldbody></mujoco>"
