@@ -10,7 +10,7 @@ from __future__ import annotations
 import inspect
 import itertools
 from dataclasses import dataclass, field
-from typing import Any, TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -137,13 +137,13 @@ class Exercise:
     def freeze(self, cases: tuple[Case, ...] | None = None) -> CheckTable:
         """Compute the table for the visible (or other) cases, and verify the card on the way."""
         cases = cases or self.visible()
-        expected = self._answer(self.reference, cases)
+        expected = self.collect(self.reference, cases)
         for case, due in zip(cases, expected, strict=True):
             self._verify_reference(case, due)
         wrong = {
             made: tuple(
                 to_canonical(self.parts, outcome)
-                for outcome in self._answer(self.make_wrong(made), cases)
+                for outcome in self.collect(self.make_wrong(made), cases)
             )
             for made in self.get_combinations()
         }
@@ -162,7 +162,7 @@ class Exercise:
             wrong=wrong,
         )
 
-    def _answer(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
+    def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
         return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)
 
     def _verify_reference(self, case: Case, due: Outcome) -> None:
@@ -187,6 +187,7 @@ def round_outcome(outcome: Outcome) -> Outcome:
     return tuple(
         value
         if value is None or value.dtype.kind != "f"
-        else np.round(value.astype(np.float64), 6).astype(value.dtype) + value.dtype.type(0)
+        # Adding zero turns -0.0 into 0.0; np.asarray keeps a single number an array.
+        else np.asarray(np.round(value.astype(np.float64), 6) + 0.0, dtype=value.dtype)
         for value in outcome
     )

@@ -96,16 +96,16 @@ EXERCISE = Exercise(
     ),
     hints=(
         (
-            "Two things happen to a point, in this order: it is turned into the world's directions, "
-            "then moved to where the camera stands."
+            "Two things happen to a point, in this order: it is turned into the world's "
+            "directions, then moved to where the camera stands."
         ),
         (
-            "cam_xmat turns MuJoCo's camera axes into the world. Which axes of your points differ from "
-            "those, and by what sign?"
+            "cam_xmat turns MuJoCo's camera axes into the world. Which axes of your points "
+            "differ from those, and by what sign?"
         ),
         (
-            "For a column p the answer is R p + t. Your points are rows: transpose both sides to see "
-            "what stands where."
+            "For a column p the answer is R p + t. Your points are rows: transpose both sides to "
+            "see what stands where."
         ),
     ),
     visible=_visible,

@@ -134,16 +134,16 @@ EXERCISE = Exercise(
     ),
     hints=(
         (
-            "A pixel's ray leaves through (u, v). How far does it move sideways per meter forward? K "
-            "holds what you need."
+            "A pixel's ray leaves through (u, v). How far does it move sideways per meter "
+            "forward? K holds what you need."
         ),
         (
             "x = (u - cx) z / fx, and y likewise with its own numbers. Which of u and v counts the "
             "columns?"
         ),
         (
-            "One mask of valid pixels serves points and colors alike: a comparison with NaN is False, "
-            "so NaN falls out by itself."
+            "One mask of valid pixels serves points and colors alike: a comparison with NaN is "
+            "False, so NaN falls out by itself."
         ),
     ),
     visible=_visible,

@@ -122,8 +122,8 @@ EXERCISE = Exercise(
         ),
         "cv2.moments counts area (m00) and area times place (m10, m01). What is the mean place?",
         (
-            "What should a robot hear when there is nothing to see? Think of an empty mask, and of a "
-            "line without any area."
+            "What should a robot hear when there is nothing to see? Think of an empty mask, and "
+            "of a line without any area."
         ),
     ),
     visible=_visible,

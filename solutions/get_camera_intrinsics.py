@@ -119,8 +119,8 @@ EXERCISE = Exercise(
             "cam_fovy, which is in degrees."
         ),
         (
-            "For a sensor camera, a length on the sensor divided by the sensor's size is a share of "
-            "the picture: times W or H it is in pixels."
+            "For a sensor camera, a length on the sensor divided by the sensor's size is a share "
+            "of the picture: times W or H it is in pixels."
         ),
     ),
     visible=lambda: _make_cases(np.random.default_rng(21)),

@@ -98,8 +98,8 @@ EXERCISE = Exercise(
     ),
     hints=(
         (
-            "Draw the camera from the side: the optical axis, half the picture, half the angle. Which "
-            "function of an angle joins the two legs of a right triangle?"
+            "Draw the camera from the side: the optical axis, half the picture, half the angle. "
+            "Which function of an angle joins the two legs of a right triangle?"
         ),
         (
             "Pixels are square, so one focal length serves both rows. It follows from the height, "

@@ -118,8 +118,8 @@ EXERCISE = Exercise(
     ),
     hints=(
         (
-            "Put in d = 0 and d = 1: which depth in meters has to come out of each? A straight line "
-            "is not the only curve through these two points."
+            "Put in d = 0 and d = 1: which depth in meters has to come out of each? A straight "
+            "line is not the only curve through these two points."
         ),
         (
             "Depth appears as 1/z in the buffer. The raw value is even in 1/z: 1/near at d = 0, "

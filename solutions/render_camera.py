@@ -113,12 +113,12 @@ EXERCISE = Exercise(
     ),
     hints=(
         (
-            "Four calls of the renderer are enough: show it the scene, render, switch to depth, render "
-            "again. What does it need to know about the scene before?"
+            "Four calls of the renderer are enough: show it the scene, render, switch to depth, "
+            "render again. What does it need to know about the scene before?"
         ),
         (
-            "data.qpos is only numbers until MuJoCo computes positions from it. Which function does "
-            "that without a step in time?"
+            "data.qpos is only numbers until MuJoCo computes positions from it. Which function "
+            "does that without a step in time?"
         ),
         (
             "Whoever gets the renderer after you expects color: leave it as you found it, also for "

@@ -112,12 +112,12 @@ EXERCISE = Exercise(
             "picture come?"
         ),
         (
-            "A low hue of 174 and a high hue of 3 is no mistake in the call: red lies on both sides "
-            "of zero. Which two ranges does it consist of?"
+            "A low hue of 174 and a high hue of 3 is no mistake in the call: red lies on both "
+            "sides of zero. Which two ranges does it consist of?"
         ),
         (
-            "Opening removes what is smaller than the kernel, closing fills what is smaller. Which of "
-            "the two has to come first if specks must not grow?"
+            "Opening removes what is smaller than the kernel, closing fills what is smaller. "
+            "Which of the two has to come first if specks must not grow?"
         ),
     ),
     visible=lambda: _make_cases(np.random.default_rng(51)),

@@ -129,7 +129,6 @@ EXERCISE = Exercise(
         Absorbed("not-clipped", "own-maximum", "no share exceeds 1 when divided by the maximum"),
         Absorbed("invalid-colored", "infinity-is-far", "nothing is black, infinity neither"),
         Absorbed("not-scaled", "red-is-close", _ONE_BLUE),
-        Absorbed("not-scaled", "not-clipped", _ONE_BLUE),
         Absorbed("not-scaled", "own-maximum", _ONE_BLUE),
     ),
 )

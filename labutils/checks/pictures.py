@@ -5,13 +5,14 @@ Drawn by OpenCV alone, so that it also works in the browser.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import cv2
 import numpy as np
 
 from labutils.checks.compare import find_wrong, get_differences
 from labutils.checks.residuals import find_worst_pixel
 from labutils.checks.verdict import PanelPicture
-from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from labutils.checks.table import Part
@@ -25,6 +26,7 @@ _NO_VALUE = (150, 150, 150)  # gray is in no color map
 _EXPECTED = (178, 114, 0)  # Okabe-Ito blue, BGR
 _YOURS = (0, 94, 213)  # Okabe-Ito vermilion, BGR
 _MARK = (200, 0, 200)
+_MAX_DOTS = 5000  # more do not fit into a panel
 
 _DRAWN = frozenset({"rgb", "mapped", "depth", "mask", "cloud", "rows"})
 
@@ -112,7 +114,8 @@ def _mark(panel: np.ndarray, pixel: tuple[int, int], scale: float) -> None:
 
 def _draw_clouds(part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPicture | None:
     """Show both clouds along the third axis (the first two are drawn) and one over the other."""
-    finite = [cloud[np.isfinite(cloud).all(axis=1)] for cloud in (expected, yours)]
+    some = [cloud[:: len(cloud) // _MAX_DOTS + 1] for cloud in (expected, yours)]
+    finite = [cloud[np.isfinite(cloud).all(axis=1)] for cloud in some]
     if not all(len(cloud) for cloud in finite):
         return None
     both = np.concatenate(finite)[:, :2].astype(np.float64)
@@ -135,7 +138,8 @@ def _draw_clouds(part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPi
         where = f"; worst row {row}"
         for panel, cloud in ((panels[0], expected), (panels[1], yours)):
             if np.isfinite(cloud[row]).all():
-                u, v = (cloud[row, :2] - low) * scale + 8
+                # A row that is not among the drawn ones may lie outside the panel.
+                u, v = np.clip((cloud[row, :2] - low) * scale + 8, 0, _PANEL - 1)
                 _mark(panel, (int(u), int(v)), 1.0)
     summary = f"{part.name}: expected, yours, both (x to the right, y down){where}"
     return _join(panels, ("expected", "yours", "both"), summary)

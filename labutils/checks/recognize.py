@@ -5,8 +5,9 @@ No guessing: an answer that merely resembles a known mistake gets no name.
 
 from __future__ import annotations
 
-from labutils.checks.compare import is_same_outcome, to_canonical
 from typing import TYPE_CHECKING
+
+from labutils.checks.compare import is_same_outcome, to_canonical
 
 if TYPE_CHECKING:
     from labutils.checks.table import CheckTable, Outcome

@@ -51,8 +51,8 @@ class Report:
         done = sum(row.passed for row in self.rows)
         lines = [
             (
-                f"Done: {done} of {len(self.rows)} exercises, {self.points} of {total} points in reach "
-                f"so far, and {QUALITY_POINTS} more for code quality."
+                f"Done: {done} of {len(self.rows)} exercises, {self.points} of {total} points in "
+                f"reach so far, and {QUALITY_POINTS} more for code quality."
             ),
             "These are the visible cases: hidden cases decide the grade.",
         ]

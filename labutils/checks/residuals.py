@@ -7,10 +7,11 @@ which share: "off by 12.5" would give the right number away.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from labutils.checks.compare import get_differences, to_levels
-from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from labutils.checks.table import Part

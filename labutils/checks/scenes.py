@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import mujoco
 import numpy as np
@@ -10,8 +10,9 @@ import numpy as np
 from labutils.raycast import RaycastRenderer
 
 if TYPE_CHECKING:
-    from labutils.checks.table import Scene
     from collections.abc import Callable
+
+    from labutils.checks.table import Scene
 
 
 def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[[], Any], ...]]:

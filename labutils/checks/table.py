@@ -215,7 +215,7 @@ def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
 
 def _encode_array(value: np.ndarray, arrays: dict[str, np.ndarray]) -> dict[str, Any]:
     is_mask = value.dtype == np.uint8 and value.ndim == 2 and bool(np.isin(value, (0, 255)).all())
-    stored = np.packbits(value > 0) if is_mask else np.ascontiguousarray(value)
+    stored = np.packbits(value > 0) if is_mask else np.array(value, order="C")
     key = next((key for key, known in arrays.items() if _is_same(known, stored)), "")
     if not key:
         key = f"a{len(arrays)}"
