@@ -71,9 +71,21 @@ def split_answer(parts: tuple[Part, ...], output: Any, seen: tuple[Any, ...]) ->
         wanted = ", ".join(part.name for part in parts[:returned])
         return Misfit(f"expected {returned} things ({wanted}), yours is {describe(output)}")
     try:
-        return tuple(None if value is None else to_array(value) for value in (*values, *seen))
+        pairs = zip(parts, (*values, *seen), strict=True)
+        return tuple(None if value is None else _read_part(part, value) for part, value in pairs)
     except TypeError as error:
         return Misfit(str(error))
+
+
+def _read_part(part: Part, value: Any) -> np.ndarray:
+    """Read one part; a list of whole numbers has no dtype, so it takes the one that is due."""
+    array = to_array(value)
+    if isinstance(value, tuple | list) and array.dtype.kind in "iu":
+        if part.dtype == "float":
+            return array.astype(np.float64)
+        if part.dtype == "uint8" and ((array >= 0) & (array <= 255)).all():
+            return array.astype(np.uint8)
+    return array
 
 
 def to_array(value: Any) -> np.ndarray:
@@ -118,7 +130,7 @@ def _find_learner_line(error: BaseException, function: Function) -> str:
     own = [frame for frame in frames if frame.filename == code.co_filename]
     if not own or own[-1].lineno is None:
         return ""
-    source = linecache.getline(own[-1].filename, own[-1].lineno).strip()
+    source = linecache.getline(own[-1].filename, own[-1].lineno).strip()[:_TEXT_LIMIT]
     return f"line {own[-1].lineno}: {source}" if source else f"line {own[-1].lineno}"
 
 
