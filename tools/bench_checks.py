@@ -11,16 +11,16 @@ from __future__ import annotations
 import sys
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from labutils.checks import judge_answers  # noqa: E402
-from labutils.checks.calls import collect_answers  # noqa: E402
-from labutils.checks.table import CheckTable, Outcome  # noqa: E402
-from solutions import Case, load_exercises  # noqa: E402
-from solutions._cases import (  # noqa: E402
+from labutils.checks import judge_answers
+from labutils.checks.calls import collect_answers
+from solutions import Case, load_exercises
+from solutions._cases import (
     make_color_scene,
     make_depth,
     make_mask,
@@ -28,6 +28,9 @@ from solutions._cases import (  # noqa: E402
     make_rgb,
     spoil_depth,
 )
+
+if TYPE_CHECKING:
+    from labutils.checks.table import CheckTable, Outcome
 
 LIMIT_MS = 150
 REPEATS = 5

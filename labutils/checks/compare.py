@@ -82,6 +82,10 @@ def get_differences(part: Part, expected: np.ndarray, yours: np.ndarray) -> np.n
         expected, yours = to_levels(expected), to_levels(yours)
         if expected.shape != yours.shape:  # colors of no known map: nothing agrees
             return np.full(yours.shape[:2], np.inf)
+    if expected.dtype.kind in "biu" and yours.dtype.kind in "biu":
+        # Pictures of small numbers are compared in small numbers: it is several times as fast.
+        wide = np.int32 if max(expected.itemsize, yours.itemsize) <= 2 else np.int64
+        return yours.astype(wide) - expected.astype(wide)
     x, y = expected.astype(np.float64), yours.astype(np.float64)
     # Equal infinities and NaN at the same place agree.
     agree = (x == y) | (np.isnan(x) & np.isnan(y))

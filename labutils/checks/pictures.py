@@ -123,7 +123,7 @@ def _draw_clouds(part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPi
     scale = (_PANEL - 16) / max(float((high - low).max()), 1e-9)
     panels = []
     for chosen in ([0], [1], [0, 1]):
-        panel = np.full((_PANEL, _PANEL, 3), 250, dtype=np.uint8)
+        panel = np.full((*(np.ceil((high - low) * scale) + 16).astype(int)[::-1], 3), 250, np.uint8)
         for number in chosen:
             places = np.round((finite[number][:, :2] - low) * scale + 8).astype(int)
             # Yours are smaller, so that both stay visible where they agree.
@@ -139,7 +139,7 @@ def _draw_clouds(part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPi
         for panel, cloud in ((panels[0], expected), (panels[1], yours)):
             if np.isfinite(cloud[row]).all():
                 # A row that is not among the drawn ones may lie outside the panel.
-                u, v = np.clip((cloud[row, :2] - low) * scale + 8, 0, _PANEL - 1)
+                u, v = np.clip((cloud[row, :2] - low) * scale + 8, 0, _PANEL)
                 _mark(panel, (int(u), int(v)), 1.0)
     summary = f"{part.name}: expected, yours, both (x to the right, y down){where}"
     return _join(panels, ("expected", "yours", "both"), summary)

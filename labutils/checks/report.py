@@ -78,7 +78,8 @@ class Report:
         )
         body = "".join(
             f'<tr><td>{row.step}</td><th scope="row" style="text-align:left;font-weight:normal">'
-            f'<a href="{html.escape(row.section)}"><code>{row.name}</code></a> '
+            f'<a href="{html.escape(row.section)}" style="color:inherit">'
+            f"<code>{row.name}</code></a> "
             f"{html.escape(row.title)}</th><td>{row.points}</td>"
             f"<td>{row.hints}/{MAX_HINTS}</td><td>{html.escape(row.state)}</td></tr>"
             for row in self.rows

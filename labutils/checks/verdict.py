@@ -91,7 +91,7 @@ class Verdict:
         body = "".join(f"<div>{html.escape(text)}</div>" for text in self.paragraphs)
         if self.link:
             target = html.escape(self.link)
-            body += f'<div>Read again: <a href="{target}">{target}</a></div>'
+            body += f'<div>Read again: <a href="{target}" style="color:inherit">{target}</a></div>'
         color = _MARKS[self.result][1]
         return (
             f'<div style="border-left:4px solid {color};padding:0.1em 0.8em;margin:0.4em 0">'

@@ -19,7 +19,9 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture(scope="module")
 def tool():
-    spec = importlib.util.spec_from_file_location("make_exercises", ROOT / "tools/make_exercises.py")
+    spec = importlib.util.spec_from_file_location(
+        "make_exercises", ROOT / "tools/make_exercises.py"
+    )
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -49,7 +51,7 @@ def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, 
     assert tool.main(["--root", str(tmp_path), "--check"]) == 0
 
 
-def test_tables_are_the_same_bytes_in_another_process(files, tool):
+def test_tables_are_the_same_bytes_in_another_process(files):
     code = (
         "import sys, hashlib; sys.path.insert(0, 'tools'); import make_exercises as m;"
         "from solutions import load_exercises as e; f = m.make_files(e());"
@@ -103,7 +105,7 @@ def test_hints_name_every_mistake(files, tool):
 
 
 def test_packed_arrays_come_back(tool):
-    arrays = {"a0": np.arange(6.0).reshape(2, 3), "a1": np.array(True)}
+    arrays = {"a0": np.arange(6.0).reshape(2, 3), "a1": np.array([[True]])}
     with np.load(io.BytesIO(tool.pack(arrays)), allow_pickle=False) as stored:
         for key, value in arrays.items():
             assert stored[key].shape == value.shape

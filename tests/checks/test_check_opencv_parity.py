@@ -33,7 +33,10 @@ def test_verdicts_agree_with_the_opencv_of_the_browser(tmp_path):
         f"opencv-python-headless=={BROWSER_OPENCV}",
     ]
     done = subprocess.run(
-        [python, "-m", "pip", "install", "--quiet", *wanted], capture_output=True, text=True
+        [python, "-m", "pip", "install", "--quiet", *wanted],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     if done.returncode:
         pytest.skip(f"OpenCV {BROWSER_OPENCV} cannot be installed here: {done.stderr[-200:]}")

@@ -46,9 +46,7 @@ def test_checks_are_kept(folder):
 def test_hints_are_given_in_order_and_counted_up_to_three():
     hints = read_words()["camera_to_world"]["hints"]
     given = [hint("camera_to_world") for _ in range(4)]
-    assert given == [
-        f"Hint {number} of 3: {hints[number - 1]}" for number in (1, 2, 3, 3)
-    ]
+    assert given == [f"Hint {number} of 3: {hints[number - 1]}" for number in (1, 2, 3, 3)]
     assert repr(given[0]) == given[0]
     assert load_progress().get("camera_to_world").hints == 3
 
@@ -61,10 +59,14 @@ def test_hints_are_given_in_order_and_counted_up_to_three():
         b"[]",
         b'{"version": 1}',
         b'{"version": 1, "exercises": {"camera_to_world": {"passed": true}}}',
-        b'{"version": 1, "exercises": {"camera_to_world": {"passed": "yes", "attempts": 1,'
-        b' "hints": 0, "last_property": null, "mistakes": {}}}}',
-        b'{"version": 1, "exercises": {"camera_to_world": {"passed": true, "attempts": 1,'
-        b' "hints": 9, "last_property": null, "mistakes": {}}}}',
+        (
+            b'{"version": 1, "exercises": {"camera_to_world": {"passed": "yes", "attempts": 1,'
+            b' "hints": 0, "last_property": null, "mistakes": {}}}}'
+        ),
+        (
+            b'{"version": 1, "exercises": {"camera_to_world": {"passed": true, "attempts": 1,'
+            b' "hints": 9, "last_property": null, "mistakes": {}}}}'
+        ),
     ],
 )
 def test_damaged_file_is_set_aside_and_reported(folder, content):

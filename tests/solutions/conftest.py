@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from labutils.checks.table import load_table
@@ -27,8 +28,6 @@ def hidden_table(exercise, table):
     """Return a function: seed to a table of the hidden cases, without known wrong answers."""
 
     def make(seed):
-        import numpy as np  # noqa: PLC0415
-
         cases = exercise.hidden(np.random.default_rng(seed))
         expected = exercise.collect(exercise.reference, cases)
         return replace(table, cases=cases, expected=expected, wrong={})
