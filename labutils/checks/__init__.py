@@ -8,6 +8,7 @@ where it is missing. What is known of an exercise lies in frozen tables of outpu
 
 from __future__ import annotations
 
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -96,15 +97,17 @@ def judge_answers(table: CheckTable, answers: tuple[Outcome, ...], function: Any
     failure = find_failure(table, answers)
     if failure is None:
         lines = [f"All {len(table.cases)} visible cases agree."]
-        if _is_library_function(table.name, function):
+        borrowed = _is_library_function(table.name, function)
+        if borrowed:
             lines.append("This is the function of labutils: write your own to earn the points.")
-        return Verdict(table.name, "passed", paragraphs=(*lines, _HIDDEN_CASES))
+        paragraphs = (*lines, _HIDDEN_CASES)
+        return Verdict(table.name, "passed", paragraphs=paragraphs, counted=not borrowed)
     if failure.untouched:
         return _fail(table, failure.gate, ("Not started yet.", failure.text))
     made = recognize_mistakes(table, answers)
-    paragraphs = [failure.text, _describe_where(table, answers, failure)]
-    paragraphs += [f"Recognized: {text}" for text in get_hint(table, made)]
-    return _fail(table, failure.gate, tuple(paragraphs), made, _draw(table, answers, failure))
+    told = [failure.text, _describe_where(table, answers, failure)]
+    told += [f"Recognized: {text}" for text in get_hint(table, made)]
+    return _fail(table, failure.gate, tuple(told), made, _draw(table, answers, failure))
 
 
 def _is_library_function(name: str, function: Any) -> bool:
@@ -155,8 +158,7 @@ def _draw(table: CheckTable, answers: tuple[Outcome, ...], failure: Failure) -> 
 
 def _keep(verdict: Verdict) -> Verdict:
     """Write the verdict into the progress file; add a line where that goes wrong."""
-    is_example = any("function of labutils" in text for text in verdict.paragraphs)
-    if verdict.result == "not checked" or is_example:
+    if verdict.result == "not checked" or not verdict.counted:
         return verdict
     progress = load_progress()
     record = progress.get(verdict.exercise)
@@ -171,15 +173,7 @@ def _keep(verdict: Verdict) -> Verdict:
         return verdict
     # The last line of a pass stays last.
     *first, last = verdict.paragraphs
-    return Verdict(
-        verdict.exercise,
-        verdict.result,
-        verdict.failed_gate,
-        verdict.misconception,
-        (*first, *notices, last),
-        verdict.link,
-        verdict.picture,
-    )
+    return replace(verdict, paragraphs=(*first, *notices, last))
 
 
 class Hint(str):

@@ -52,6 +52,8 @@ class Verdict:
         Where to read again, relative to a page of the book; empty for none.
     picture : PanelPicture or None
         For pictures, depth, masks and clouds.
+    counted : bool
+        False where the result says nothing about the learner: nothing is kept of it.
     """
 
     exercise: str
@@ -61,6 +63,7 @@ class Verdict:
     paragraphs: tuple[str, ...] = ()
     link: str = ""
     picture: PanelPicture | None = None
+    counted: bool = True
 
     @property
     def passed(self) -> bool:
