@@ -41,7 +41,6 @@ if TYPE_CHECKING:
         get_camera_intrinsics,
         get_camera_pose,
         intrinsics_matrix,
-        make_scene,
         render_camera,
         render_segmentation,
     )
@@ -54,6 +53,7 @@ if TYPE_CHECKING:
         save_scene_pointcloud,
     )
     from labutils.raycast import raycast_depth, raycast_points
+    from labutils.scene import make_scene
 
 choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before anything imports it
 
@@ -64,7 +64,7 @@ _NEEDS_MUJOCO = {
     "get_camera_intrinsics": "camera_utils",
     "get_camera_pose": "camera_utils",
     "intrinsics_matrix": "camera_utils",
-    "make_scene": "camera_utils",
+    "make_scene": "scene",
     "raycast_depth": "raycast",
     "raycast_points": "raycast",
     "render_camera": "camera_utils",

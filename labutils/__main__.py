@@ -7,6 +7,8 @@ import sys
 import warnings
 from pathlib import Path
 
+from tqdm import tqdm
+
 from labutils.checks import report
 from labutils.rendering import NoOpenGLWarning
 
@@ -73,7 +75,7 @@ def _write_outputs(arguments: list[str]) -> int:
 
 
 def _print_notice(message: Warning | str, *_: object, **__: object) -> None:
-    print(f"Note: {message}", file=sys.stderr)
+    tqdm.write(f"Note: {message}", file=sys.stderr)  # on a line of its own, above the bar
 
 
 if __name__ == "__main__":

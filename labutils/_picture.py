@@ -27,7 +27,8 @@ CATEGORY_COLORS = (
     "#8A8A8A",
 )
 
-#: Mid gray: contrast 4.5:1 and more on the book's paper and on its dark ground.
+#: Mid gray: contrast above 4:1 on the book's paper and on its dark ground. No color reaches 4.5:1
+#: on both; figures ask for 3:1.
 _INK = "#767b85"
 
 WIDTHS = {"full": 7.2, "half": 3.6}  # inches; the text column is 7.2 inches at 100 px per inch

@@ -52,10 +52,14 @@ def find_open3d_problem() -> str | None:
     """
     if importlib.util.find_spec("open3d") is None:
         return "Open3D is not installed: pip install open3d"
+    # In a notebook Open3D would start a web server for its viewer and print about it.
+    os.environ.setdefault("OPEN3D_DISABLE_WEB_VISUALIZER", "true")
     try:
-        import open3d  # noqa: F401, PLC0415 - the import itself is the question
+        import open3d as o3d  # noqa: PLC0415 - the import itself is the question
     except (ImportError, OSError) as error:
         return f"Open3D cannot be loaded: {error}"
+    # Its notes about missing screens would stand above every picture.
+    o3d.utility.set_verbosity_level(o3d.utility.VerbosityLevel.Error)
     return None
 
 
@@ -109,20 +113,19 @@ def _draw_off_screen(points: np.ndarray, colors: np.ndarray | None) -> Picture:
     """Draw with Open3D's own renderer into memory."""
     import open3d as o3d  # noqa: PLC0415 - see make_open3d_cloud
 
-    with _quiet_stdout():
-        renderer = _make_off_screen_renderer()
-        renderer.scene.clear_geometry()
-        material = o3d.visualization.rendering.MaterialRecord()
-        material.shader = "defaultUnlit"
-        material.point_size = 3.0
-        if colors is None:
-            colors = get_depth_colors(points)
-        renderer.scene.add_geometry("cloud", make_open3d_cloud(points, colors), material)
-        axes = o3d.geometry.TriangleMesh.create_coordinate_frame(size=_FRAME_SIZE)
-        renderer.scene.add_geometry("axes", axes, material)
-        target, eye = get_view_point(points)
-        renderer.setup_camera(50.0, target, eye, np.array([0.0, -1.0, 0.0]))
-        image = np.asarray(renderer.render_to_image())
+    renderer = _make_off_screen_renderer()
+    renderer.scene.clear_geometry()
+    material = o3d.visualization.rendering.MaterialRecord()
+    material.shader = "defaultUnlit"
+    material.point_size = 3.0
+    if colors is None:
+        colors = get_depth_colors(points)
+    renderer.scene.add_geometry("cloud", make_open3d_cloud(points, colors), material)
+    axes = o3d.geometry.TriangleMesh.create_coordinate_frame(size=_FRAME_SIZE)
+    renderer.scene.add_geometry("axes", axes, material)
+    target, eye = get_view_point(points)
+    renderer.setup_camera(50.0, target, eye, np.array([0.0, -1.0, 0.0]))
+    image = np.asarray(renderer.render_to_image())
     return Picture.from_rgb(image, "Point cloud drawn off screen by Open3D")
 
 
@@ -131,7 +134,8 @@ def _make_off_screen_renderer() -> Any:
     """Make one renderer per process: Open3D cannot make a second after the first is gone."""
     import open3d as o3d  # noqa: PLC0415 - see make_open3d_cloud
 
-    renderer = o3d.visualization.rendering.OffscreenRenderer(*_SIZE)
+    with _quiet_stdout():
+        renderer = o3d.visualization.rendering.OffscreenRenderer(*_SIZE)
     renderer.scene.set_background([1.0, 1.0, 1.0, 1.0])
     # Filmic tone mapping would change the colors of the points.
     renderer.scene.view.set_post_processing(False)

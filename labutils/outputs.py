@@ -13,12 +13,13 @@ from tqdm import tqdm
 
 from labutils._constants import HSV_RANGES
 from labutils._guards import check_columns, check_rgb_image
-from labutils.camera_utils import get_camera_intrinsics, make_scene, render_camera
+from labutils.camera_utils import get_camera_intrinsics, render_camera
 from labutils.color_segmentation import find_object_centroid, segment_by_color, visualize_detection
 from labutils.depth_processing import visualize_depth
 from labutils.ply import write_ply
 from labutils.pointcloud import depth_to_pointcloud
 from labutils.rendering import make_renderer
+from labutils.scene import make_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,13 +1,14 @@
 """The renderer contract: OpenGL where it works, the ray caster where it does not.
 
-Chooses the OpenGL backend before MuJoCo is imported, because MuJoCo reads ``MUJOCO_GL`` once, at
-import. Taught in: step 1 and the troubleshooting page.
+Chooses the OpenGL backend when the library is imported, because MuJoCo reads ``MUJOCO_GL`` once,
+at its own import. Taught in: step 1 and the troubleshooting page.
 """
 
 from __future__ import annotations
 
 import ctypes.util
 import functools
+import importlib
 import os
 import sys
 import warnings
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 #: Values of MUJOCO_GL that MuJoCo itself understands as "no OpenGL".
 _SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
+
+_USERS_CHOICE = "MUJOCO_GL switches OpenGL off"
 
 _INSTALL_HINTS = {
     "linux": "sudo apt-get install libegl1 libgl1-mesa-dri",
@@ -59,7 +62,26 @@ def choose_gl_backend() -> str:
         chosen = "disable"
     if chosen:
         os.environ["MUJOCO_GL"] = chosen
+        _tell_mujoco()
     return chosen
+
+
+def _tell_mujoco() -> None:
+    """Let MuJoCo read ``MUJOCO_GL`` again where it was imported before this library.
+
+    MuJoCo reads the variable once, at import, and without it takes GLFW, which needs a screen.
+    ``import mujoco`` above ``import labutils`` is the alphabetical order, so this must work.
+    """
+    module = sys.modules.get("mujoco.rendering.classic.gl_context")
+    backend = os.environ["MUJOCO_GL"]
+    if module is None or getattr(module, "_MUJOCO_GL", backend) == backend:
+        return
+    if backend in _SWITCHED_OFF:
+        return  # `make_renderer` looks at the variable itself
+    import mujoco  # noqa: PLC0415 - it is imported already, or this line is not reached
+
+    importlib.reload(module)
+    mujoco.GLContext = module.GLContext  # the copy that mujoco/__init__.py made
 
 
 def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer:
@@ -109,7 +131,13 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer
 
 
 def is_gl_available() -> bool:
-    """Tell whether OpenGL can draw in this process."""
+    """Tell whether OpenGL can draw in this process.
+
+    Returns
+    -------
+    bool
+        False means that `make_renderer` hands out the ray caster.
+    """
     return _find_gl_problem() is None
 
 
@@ -119,7 +147,7 @@ def _find_gl_problem() -> str | None:
     import mujoco  # noqa: PLC0415 - see make_renderer
 
     if os.environ.get("MUJOCO_GL", "").strip().lower() in _SWITCHED_OFF:
-        return os.environ.get("LABUTILS_GL_MISSING", "MUJOCO_GL switches OpenGL off")
+        return os.environ.get("LABUTILS_GL_MISSING", _USERS_CHOICE)
     try:
         model = mujoco.MjModel.from_xml_string("<mujoco/>")
         with mujoco.Renderer(model, 1, 1) as renderer:
@@ -135,6 +163,8 @@ def _find_gl_problem() -> str | None:
 @functools.cache
 def _warn_once(reason: str) -> None:
     hint = _INSTALL_HINTS.get("linux" if sys.platform.startswith("linux") else sys.platform, "")
+    if reason == _USERS_CHOICE:
+        hint = "unset MUJOCO_GL"
     warnings.warn(
         f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels are "
         f"exact, colors are flat. To get OpenGL: {hint}",

@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
 import vendor_frontend
@@ -30,8 +31,9 @@ STAMPS = BUILD / "stamps.json"
 CELL_SOURCES = ("labutils", "assets", "requirements.txt")
 CELL_VARIABLES = ("MUJOCO_GL", "EDITION")
 CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
-# What the look of every page depends on, but not its numbers.
-PAGE_SOURCES = ("book/_ext", "_config.yml", "_toc.yml")
+# What the look of every page depends on, but not its numbers. Sphinx does not even copy
+# a changed style sheet while no page has changed, and pages name it by its checksum.
+PAGE_SOURCES = ("book/_ext", "book/_static", "_config.yml", "_toc.yml", "package-lock.json")
 PAGE_MEMORY = (".doctrees", "html")
 
 COLOR_CODES = re.compile(r"\x1b\[[0-9;]*m")
@@ -44,7 +46,7 @@ LAST_LINES = 40
 JUPYTER_BOOK = "from jupyter_book.cli.main import main; main()"  # it has no __main__
 
 
-def main():
+def main() -> int:
     """Build; return the exit code."""
     started = time.monotonic()
     BUILD.mkdir(exist_ok=True)
@@ -66,7 +68,7 @@ def main():
     return 0
 
 
-def _forget_what_changed():
+def _forget_what_changed() -> str:
     """Empty the memories whose sources have changed; return what was done, in words."""
     old = json.loads(STAMPS.read_text()) if STAMPS.exists() else {}
     variables = [f"{name}={os.environ.get(name, '')}" for name in CELL_VARIABLES]
@@ -87,7 +89,7 @@ def _forget_what_changed():
     return "; ".join(done) or "kept where the page is unchanged"
 
 
-def _digest(names, extra=()):
+def _digest(names: Iterable[str], extra: Iterable[str] = ()) -> str:
     """Hash the contents of files and folders, and some text."""
     digest = hashlib.sha256("\0".join(extra).encode())
     for name in names:
@@ -99,12 +101,12 @@ def _digest(names, extra=()):
     return digest.hexdigest()
 
 
-def _remove(names):
+def _remove(names: Iterable[str]) -> None:
     for name in names:
         shutil.rmtree(BUILD / name, ignore_errors=True)
 
 
-def _run_jupyter_book():
+def _run_jupyter_book() -> tuple[int, str]:
     """Run the build; return its exit code and its log without colors."""
     command = [sys.executable, "-c", JUPYTER_BOOK, "build", str(ROOT)]
     command += ["-W", "-n", "--keep-going"]
@@ -137,7 +139,7 @@ def _run_jupyter_book():
     return process.returncode, "".join(lines)
 
 
-def _what_went_wrong(log):
+def _what_went_wrong(log: str) -> str:
     """Return the part of the log that explains the failure."""
     complaints = [
         _relative(line)
@@ -152,7 +154,7 @@ def _what_went_wrong(log):
     return "\n".join([*parts, ""])
 
 
-def _relative(text):
+def _relative(text: str) -> str:
     return text.replace(f"{ROOT}{os.sep}", "")
 
 

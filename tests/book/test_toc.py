@@ -1,0 +1,125 @@
+"""Nothing is written that nobody can find: pages, widgets, images, objectives."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.helpers.chapters import ROOT, find_orphans, find_pages, get_toc_pages
+
+STEPS = [page for page in get_toc_pages() if page.name.startswith("step")]
+PAGES = find_pages()
+
+
+def read(page: Path) -> str:
+    """The text of a page."""
+    return (ROOT / page).with_suffix(".md").read_text(encoding="utf-8")
+
+
+def test_every_page_and_widget_can_be_reached():
+    assert find_orphans() == []
+
+
+def test_an_orphan_of_every_kind_is_noticed(tmp_path):
+    (tmp_path / "_toc.yml").write_text(
+        "root: book/index\nparts:\n- chapters:\n  - file: book/gone\n  - file: book/index\n",
+        encoding="utf-8",
+    )
+    (tmp_path / "labutils" / "explorers").mkdir(parents=True)
+    (tmp_path / "labutils" / "explorers" / "fov.py").touch()
+    for name in ("book/index.md", "book/lost.md", "exercises/lost.md", "book/_generated/part.md"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    assert find_orphans(tmp_path) == [
+        "page book/lost is not in _toc.yml",
+        "page exercises/lost is not in _toc.yml",
+        "page book/gone in _toc.yml does not exist",
+        "page book/index is in _toc.yml twice",
+        "widget fov is on no page",
+        "widget fov has no test",
+    ]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_every_picture_says_its_finding_in_words(page):
+    text = read(page)
+    figures = re.findall(
+        r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$", text, re.DOTALL | re.MULTILINE
+    )
+    for figure in figures:
+        assert re.search(r"^:alt: .{20,}", figure, re.MULTILINE), figure
+    for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
+        last = [line for line in cell.splitlines() if line.strip()][-2]
+        if re.match(r"(figures\.)?(plot_|visualize_pointcloud)", last):
+            assert re.search(r"alt: .{20,}", cell), cell
+    assert not re.search(r"!\[\]\(", text), "an image without words"
+
+
+@pytest.mark.parametrize("page", STEPS, ids=str)
+def test_the_recap_answers_the_objectives_one_by_one(page):
+    number = page.name[4]
+    text = read(page)
+    head, _, tail = text.partition("## Recap")
+    pattern = rf"^- \*\*({number}[a-e])\.\*\* "
+    objectives = re.findall(pattern, head, re.MULTILINE)
+    assert 3 <= len(objectives) <= 5
+    assert re.findall(pattern, tail, re.MULTILINE) == objectives
+
+
+@pytest.mark.parametrize("page", STEPS, ids=str)
+def test_steps_have_the_sections_of_the_anatomy_in_order(page):
+    headings = re.findall(r"^## (.+)$", read(page), re.MULTILINE)
+    fixed = [
+        "Question and objectives",
+        "Where we are",
+        "Set up",
+        "Expected result",
+        "Common errors",
+        "Recap",
+        "New words",
+        "Further reading",
+    ]
+    assert [h for h in headings if h in fixed] == fixed
+    ideas = [h for h in headings if h not in {*fixed, "Exercises"}]
+    assert 1 <= len(ideas) <= 3
+
+
+@pytest.mark.parametrize("page", STEPS, ids=str)
+def test_steps_ask_before_they_show_and_check_against_the_truth(page):
+    text = read(page)
+    for box in ("predict", "check", "pitfall", "tryit"):
+        assert re.search(rf"^:class: {box}$", text, re.MULTILINE), box
+    assert "nbval-check-output" in text
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_pages_and_their_cells_stay_short(page):
+    text = read(page)
+    # Front matter, alt texts and captions do not count: nobody should save on those.
+    seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
+    assert len(seen.splitlines()) <= 350
+    for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
+        code = re.sub(r"\A---\n.*?^---\n", "", cell, flags=re.DOTALL | re.MULTILINE)
+        lines = [
+            line for line in code.splitlines() if line.strip() and not line.startswith((":", "#"))
+        ]
+        assert len(lines) <= 8, cell
+
+
+@pytest.mark.parametrize("page", PAGES, ids=str)
+def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
+    allowed = {"labutils", "numpy", "cv2", "mujoco", "open3d"}
+    for cell in re.findall(r"^```\{code-cell\}.*?^```$", read(page), re.DOTALL | re.MULTILINE):
+        for name in re.findall(r"^\s*(?:from|import) (\w+)", cell, re.MULTILINE):
+            standard = name in {
+                "pathlib",
+                "tempfile",
+                "time",
+                "sys",
+                "os",
+                "subprocess",
+                "warnings",
+            }
+            assert name in allowed or standard, name

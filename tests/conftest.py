@@ -1,0 +1,46 @@
+"""Fixtures the tests share."""
+
+from __future__ import annotations
+
+import pytest
+
+from labutils import make_scene  # isort: skip - chooses the OpenGL backend, so before MuJoCo
+
+import mujoco
+import numpy as np
+
+from tests.helpers.scenes import make_asymmetric_scene
+
+
+@pytest.fixture
+def scene() -> tuple[mujoco.MjModel, mujoco.MjData]:
+    """The book's scene, fresh."""
+    return make_scene()
+
+
+@pytest.fixture
+def asymmetric() -> tuple[mujoco.MjModel, mujoco.MjData]:
+    """A scene whose cameras have fx != fy and an off-center principal point."""
+    return make_asymmetric_scene()
+
+
+@pytest.fixture
+def K() -> np.ndarray:
+    """Intrinsics that no two axes share: swapping u and v, or x and y, must show."""
+    return np.array([[210.0, 0, 33.25], [0, 180.0, 20.5], [0, 0, 1]])
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Say how many chapters ran as notebooks, beside how many tests."""
+    runs = [
+        value
+        for report in terminalreporter.stats.get("passed", [])
+        for name, value in report.user_properties
+        if name == "notebook"
+    ]
+    if runs:
+        terminalreporter.section("notebooks")
+        for run in sorted(runs):
+            terminalreporter.write_line(run)
+    tests = len(terminalreporter.stats.get("passed", []))
+    terminalreporter.write_line(f"{tests} tests passed, {len(runs)} of them ran a notebook")

@@ -1,0 +1,188 @@
+"""Figures: finished pictures that show themselves, the same every time."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from labutils import visualize_pointcloud
+from labutils._splat import get_view_point, make_look_at, render_points
+from labutils.figures import (
+    Picture,
+    plot_cloud,
+    plot_comparison,
+    plot_depth,
+    plot_histogram,
+    plot_images,
+    plot_lines,
+)
+
+RNG_SEED = 3
+
+NAMES = ("cloud", "comparison", "depth", "histogram", "images", "lines")
+
+
+def decode(picture: Picture) -> np.ndarray:
+    """Read a picture back: BGRA."""
+    return cv2.imdecode(np.frombuffer(picture.png, np.uint8), cv2.IMREAD_UNCHANGED)
+
+
+def make_all() -> dict[str, Picture]:
+    """One picture of every kind."""
+    rng = np.random.default_rng(RNG_SEED)
+    depth = rng.uniform(1, 3, (24, 32))
+    depth[0, 0] = np.nan
+    image = rng.integers(0, 256, (24, 32, 3), np.uint8)
+    x = np.linspace(0, 1, 20)
+    return {
+        "images": plot_images({"color": image, "mask": image[..., 0] > 99}, columns=1),
+        "depth": plot_depth(depth, title="depth", limits=(1, 3)),
+        "comparison": plot_comparison(depth, depth + 0.001),
+        "histogram": plot_histogram({"a": depth, "b": depth + 1}, label="m", log=True),
+        "lines": plot_lines(x, {"a": x, "b": x**2 + 1}, x_label="m", y_label="mm", log_y=True),
+        "cloud": plot_cloud(rng.uniform(0.5, 1, (200, 3))),
+    }
+
+
+@pytest.fixture(scope="module")
+def figures() -> dict[str, Picture]:
+    """Made once for all tests of this file."""
+    return make_all()
+
+
+@pytest.fixture(scope="module")
+def figures_again() -> dict[str, Picture]:
+    """Made a second time from the same data."""
+    return make_all()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_figure_shows_itself_and_is_the_same_every_time(figures, figures_again, name):
+    first, second = figures[name], figures_again[name]
+    assert first.png == second.png
+    data, metadata = first._repr_mimebundle_()
+    assert data["image/png"].startswith(b"\x89PNG")
+    assert 100 < metadata["image/png"]["width"] <= 720
+    assert name in {"images", "depth"} or first.summary in repr(first)
+
+
+@pytest.mark.parametrize("name", sorted(set(NAMES) - {"cloud"}))
+def test_a_figure_has_a_transparent_ground_and_mid_gray_ink(figures, name):
+    bgra = decode(figures[name])
+    assert bgra.shape[2] == 4
+    assert (bgra[..., 3] == 0).mean() > 0.05
+    # The ink has a contrast of 4.5:1 and more on white and on the dark ground (#121212).
+    ink = np.array([0x85, 0x7B, 0x76])  # BGR
+    opaque = bgra[bgra[..., 3] == 255][:, :3].astype(int)
+    assert (np.abs(opaque - ink).max(axis=1) <= 2).any()
+
+
+def relative_luminance(rgb: tuple[int, int, int]) -> float:
+    """WCAG 2 relative luminance of an sRGB color."""
+    linear = [(c / 255 / 12.92) if c <= 10 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in rgb]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def test_the_ink_is_readable_on_both_grounds():
+    ink = relative_luminance((0x76, 0x7B, 0x85))
+    for ground in ((255, 255, 255), (18, 18, 18)):
+        bright, dark = sorted((ink, relative_luminance(ground)), reverse=True)
+        # WCAG asks 3:1 for graphics and large text; we want more for small labels.
+        assert (bright + 0.05) / (dark + 0.05) > 4.2
+
+
+def test_comparison_refuses_pictures_of_different_size():
+    with pytest.raises(ValueError, match="truth: expected the size of ours"):
+        plot_comparison(np.ones((3, 4)), np.ones((4, 3)))
+
+
+def test_cloud_refuses_an_unknown_frame():
+    with pytest.raises(ValueError, match="frame: expected 'camera' or 'world', got 'robot'"):
+        plot_cloud(np.ones((3, 3)), frame="robot")
+
+
+def test_the_world_frame_is_drawn_with_z_up():
+    # A tall column of points in the world must come out taller than wide.
+    column = np.random.default_rng(0).uniform(0, [0.1, 0.1, 1.0], (4000, 3))
+    alpha = decode(plot_cloud(column, frame="world", axes=False, elevation_deg=0))[..., 3]
+    rows, columns = np.nonzero(alpha)
+    assert np.ptp(rows) > 2 * np.ptp(columns)
+
+
+def test_the_nearest_point_is_on_top():
+    K = np.array([[50.0, 0, 10], [0, 50.0, 10], [0, 0, 1]])
+    points = np.array([[0, 0, 2.0], [0, 0, 1.0], [0, 0, 3.0], [0, 0, -1.0]])
+    colors = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1.0]])
+    drawn = render_points(points, colors, np.eye(4), K, (21, 21), point_size=3)
+    assert_array_equal(drawn[10, 10], [0, 255, 0, 255])
+    assert (drawn[..., 3] > 0).sum() == 9
+
+
+def test_a_view_looks_at_its_target():
+    eye, target = np.array([1.0, -2, 0.5]), np.array([0.2, 0.1, 3])
+    T = make_look_at(eye, target, np.array([0, -1.0, 0]))
+    in_view = T @ np.append(target, 1)
+    assert_allclose(in_view[:2], 0, rtol=0, atol=1e-12)
+    assert in_view[2] > 0
+    with pytest.raises(ValueError, match="expected a view that is not along"):
+        make_look_at(eye, eye, np.array([0, -1.0, 0]))
+
+
+def test_a_view_point_behind_the_camera_sees_the_whole_cloud():
+    points = np.random.default_rng(1).uniform([-1, -1, 1], [1, 1, 2], (500, 3))
+    target, eye = get_view_point(points)
+    assert eye[2] < target[2]
+    assert eye[1] < target[1]  # y is down: smaller is above
+
+
+def test_visualize_pointcloud_without_a_screen_gives_a_picture_with_the_cloud_in_it(monkeypatch):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
+    points = np.random.default_rng(0).uniform([-0.5, -0.5, 1], [0.5, 0.5, 2], (20_000, 3))
+    red = np.tile([1.0, 0.0, 0.0], (len(points), 1))
+    picture = visualize_pointcloud(points, red)
+    bgr = decode(picture)[..., :3].astype(int)
+    # Bright red, drawn as it is: no tone mapping, no shading.
+    assert ((bgr[..., 2] > 200) & (bgr[..., :2].max(axis=-1) < 60)).mean() > 0.05
+
+
+def test_visualize_pointcloud_without_open3d_draws_by_itself(monkeypatch):
+    monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: "not installed")
+    picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert "point cloud of 500 points" in picture.summary
+
+
+def test_visualize_pointcloud_without_a_vulkan_driver_draws_by_itself(monkeypatch):
+    def fail(*_):
+        raise RuntimeError("Failed to load vulkan library!")
+
+    monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
+    monkeypatch.setattr("labutils.cloud_view._draw_off_screen", fail)
+    picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert "point cloud of 500 points" in picture.summary
+
+
+def test_visualize_pointcloud_opens_a_window_where_there_is_a_screen(monkeypatch):
+    shown = []
+    monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: None)
+    monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: True)
+    monkeypatch.setattr("labutils.cloud_view._show_window", lambda *given: shown.append(given))
+    assert visualize_pointcloud(np.ones((2, 3))) is None
+    assert len(shown) == 1
+
+
+@pytest.mark.parametrize(
+    ("points", "colors", "words"),
+    [
+        (np.empty((0, 3)), None, "points: expected at least one point"),
+        (np.ones((4, 2)), None, r"points: expected shape \(N, 3\)"),
+        (np.ones((4, 3)), np.ones((3, 3)), r"colors: expected one per point \(4\), got 3"),
+        (np.ones((4, 3)), 255 * np.ones((4, 3)), "colors: expected 0 to 1, got 255 to 255"),
+    ],
+)
+def test_visualize_pointcloud_of_bad_input_says_why(points, colors, words):
+    with pytest.raises(ValueError, match=words):
+        visualize_pointcloud(points, colors)
