@@ -11,7 +11,7 @@ RUN := $(BIN)/python
 export PYTHONHASHSEED := 0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs test lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises test lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -30,6 +30,9 @@ lab: setup ## open the chapters as notebooks in JupyterLab
 
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
+
+exercises: setup ## derive starters, check tables, rubric and hints from solutions/
+	@$(RUN) tools/make_exercises.py
 
 test: setup ## run all tests, and every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
