@@ -86,6 +86,13 @@ def test_every_style_sheet_is_loaded(config):
     assert sheets == set(config["sphinx"]["config"]["html_css_files"])
 
 
+def test_every_script_is_loaded(config):
+    scripts = {path.name for path in (ROOT / "book" / "_static").glob("*.js")}
+    options = config["sphinx"]["config"]
+    named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
+    assert scripts <= named
+
+
 def test_strip_marks_the_page_and_links_the_others(monkeypatch):
     strip = load("book/_ext/progress_strip.py", monkeypatch)
     pages = {page for _, page in strip.STAGES} - {"book/step6_view"}

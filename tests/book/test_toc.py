@@ -76,6 +76,7 @@ def test_steps_have_the_sections_of_the_anatomy_in_order(page):
         "Where we are",
         "Set up",
         "Expected result",
+        "Check your understanding",
         "Common errors",
         "Recap",
         "New words",
