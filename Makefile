@@ -9,9 +9,12 @@ BIN := $(VENV)/bin
 endif
 RUN := $(BIN)/python
 export PYTHONHASHSEED := 0
+# student (no solution in it) or instructor; `make book EDITION=instructor`
+EDITION ?= student
+export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs exercises test lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises student test lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -19,7 +22,7 @@ help: ## list the targets
 setup: ## install what is needed (every other target does it by itself)
 	@$(PYTHON) tools/setup_env.py
 
-book: setup ## execute every chapter and build the pages
+book: setup ## execute every chapter and build the pages (EDITION=instructor: with solutions)
 	@$(RUN) tools/build_book.py
 
 serve: book ## build the pages and serve them at http://localhost:8000
@@ -33,6 +36,9 @@ outputs: setup ## write the five files of the lab into outputs/
 
 exercises: setup ## derive starters, check tables, rubric and hints from solutions/
 	@$(RUN) tools/make_exercises.py
+
+student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
+	@$(RUN) tools/make_student.py
 
 test: setup ## run all tests, and every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
