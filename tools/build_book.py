@@ -141,7 +141,9 @@ def main() -> int:
         # Sphinx would not repeat the warnings of a page it has already read
         _remove(edition, PAGE_MEMORY)
         print(_what_went_wrong(log), file=sys.stderr)
-        print(f"book: failed after {seconds:.0f} s; the whole log is {edition.log}", file=sys.stderr)
+        print(
+            f"book: failed after {seconds:.0f} s; the whole log is {edition.log}", file=sys.stderr
+        )
         return code
     print(f"book: {read} pages read, {executed} executed, no warnings, {seconds:.0f} s")
     print(f"open {(edition.html / 'index.html').as_uri()}")
@@ -198,7 +200,9 @@ def _run_jupyter_book(edition: Edition) -> tuple[int, str]:
     command = [sys.executable, "-c", JUPYTER_BOOK]
     command += [str(ROOT), str(edition.html), str(ROOT / edition.config), str(ROOT / edition.toc)]
     environment = os.environ | {
-        "IPYTHONDIR": str(edition.build / "ipython"),  # not the reader's own profile and start-up files
+        "IPYTHONDIR": str(
+            edition.build / "ipython"
+        ),  # not the reader's own profile and start-up files
         "JUPYTER_PREFER_ENV_PATH": "1",  # the kernel of this environment, not one of the user
         "PYDEVD_DISABLE_FILE_VALIDATION": "1",
         "PYTHONHASHSEED": "0",  # the same order of sets in every build

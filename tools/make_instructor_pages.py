@@ -41,7 +41,9 @@ TITLE = "Camera Image Processing for Robotics, instructor edition"
 BANNER = "Instructor edition: it holds the solutions. Do not publish it."
 
 # "| Reading | about 20 minutes |" of the card at the top of a chapter
-TIME = re.compile(r"^\| (Reading|Doing) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.M)
+TIME = re.compile(
+    r"^\| (Reading|Doing) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.M
+)
 
 
 @dataclass(frozen=True)
@@ -202,8 +204,8 @@ on the hidden cases of {len(SEEDS)} seeds:
 ## What decides the grade?
 
 The visible cases are on every learner's machine: they teach, and they can be copied. The hidden cases
-are made from a seed that you choose when you grade, and are stored nowhere. Each hidden case of an
-exercise counts the same.
+are made from a seed that you choose when you grade, and are stored nowhere. These pages count each
+hidden case of an exercise the same.
 """
 
 
@@ -297,13 +299,15 @@ def find_helpers(function: Callable[..., Any]) -> list[Callable[..., Any]]:
 def make_mistake(exercise: Exercise, one: Measured) -> str:
     """Return one mistake as an item of a definition list."""
     count = len(exercise.visible())
-    told = f"told apart by {list_cases(one.rival_cases, count)}"
+    if len(one.rival_cases) == count:
+        rival = "No other mistake looks like it on any case."
+    else:
+        told = list_cases(one.rival_cases, count)
+        rival = f"**Closest** is *{one.rival}*, told apart by {told}."
     return f"""**{one.name}**
-: *{one.text}*
-: **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}.
-: **Off by** {one.residual}.
-: **Closest** is *{one.rival}*, {told}.
-: **Keeps** {one.kept * exercise.points:.1f} of {exercise.points} points.
+: *{one.text[0].upper()}{one.text[1:]}*
+: **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}. **Off by** \
+{one.residual}. {rival} **Keeps** {one.kept * exercise.points:.1f} of {exercise.points} points.
 """
 
 
