@@ -23,9 +23,10 @@ import yaml
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-import labutils  # noqa: E402
-from labutils.checks.table import Raised  # noqa: E402
+from card_code import find_called, is_answered_by_library  # noqa: E402
 from measure_mistakes import SEEDS, Measured, measure  # noqa: E402
+
+from labutils.checks.table import Raised  # noqa: E402
 from solutions import QUALITY_POINTS, load_exercises  # noqa: E402
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ BANNER = "Instructor edition: it holds the solutions. Do not publish it."
 
 # "| Reading | about 20 minutes |" of the card at the top of a chapter
 TIME = re.compile(
-    r"^\| (Reading|Doing) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.M
+    r"^\| (Reading|Doing) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.MULTILINE
 )
 
 
@@ -58,6 +59,7 @@ class Minutes:
 
     @property
     def total(self) -> int:
+        """Both together."""
         return self.reading + self.doing
 
 
@@ -144,11 +146,6 @@ def read_notes(root: Path, step: int) -> str:
     return (root / NOTES / f"step{step}.md").read_text(encoding="utf-8").strip()
 
 
-def is_answered_by_library(exercise: Exercise) -> bool:
-    """Tell a lab exercise, whose answer is in labutils, from a challenge."""
-    return getattr(labutils, exercise.name, None) is exercise.reference
-
-
 def make_overview(steps: dict[int, list[Exercise]], minutes: dict[int, Minutes]) -> str:
     """Return the page that stands before the steps."""
     rows = []
@@ -203,9 +200,9 @@ on the hidden cases of {len(SEEDS)} seeds:
 
 ## What decides the grade?
 
-The visible cases are on every learner's machine: they teach, and they can be copied. The hidden cases
-are made from a seed that you choose when you grade, and are stored nowhere. These pages count each
-hidden case of an exercise the same.
+The visible cases are on every learner's machine: they teach, and they can be copied. The hidden
+cases are made from a seed that you choose when you grade, and are stored nowhere. These pages count
+each hidden case of an exercise the same.
 """
 
 
@@ -278,22 +275,9 @@ def make_link(exercise: Exercise) -> str:
 def get_source(function: Callable[..., Any]) -> str:
     """Return the code of a function and of the helpers in its card that it calls."""
     return "\n\n".join(
-        textwrap.dedent(inspect.getsource(one)).rstrip() for one in find_helpers(function)
+        textwrap.dedent(inspect.getsource(one)).rstrip()
+        for one in find_called(function) or [function]
     )
-
-
-def find_helpers(function: Callable[..., Any]) -> list[Callable[..., Any]]:
-    """List a function and what it calls of its own module, in the order of the calls."""
-    found = [function]
-    if function.__module__.startswith("labutils"):
-        return found  # the library shows its helpers itself
-    for one in found:
-        for name in one.__code__.co_names:
-            called = one.__globals__.get(name)
-            own = inspect.isfunction(called) and called.__module__ == function.__module__
-            if own and called not in found:
-                found.append(called)
-    return found
 
 
 def make_mistake(exercise: Exercise, one: Measured) -> str:

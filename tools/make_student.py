@@ -17,14 +17,16 @@ import io
 import re
 import sys
 import zipfile
-from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import jupytext
 import nbformat
 import yaml
 from plain_markdown import Flattener, find_labels
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 ROOT = Path(__file__).resolve().parents[1]
 OUT = Path("_build", "student", "camera-lab-student.zip")

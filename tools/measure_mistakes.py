@@ -146,23 +146,27 @@ def _describe_part(
     if part.kind == "flag":
         return (0.0 if bool(due) == bool(answer) else np.inf), f"not so: {part.name}"
     wrong = find_wrong(part, due, answer)
-    if not wrong.any():
-        if due.dtype.kind != answer.dtype.kind:
-            return np.inf, f"{part.name}: right values, wrong type ({answer.dtype})"
-        return 0.0, f"{part.name}: nothing"
-    gaps = np.abs(get_differences(part, due, answer))
-    gaps = gaps[wrong]
-    finite = gaps[np.isfinite(gaps)]
+    if wrong.any():
+        return _describe_values(part, wrong, np.abs(get_differences(part, due, answer))[wrong])
+    if due.dtype.kind != answer.dtype.kind:
+        return np.inf, f"{part.name}: right values, wrong type ({answer.dtype})"
+    return 0.0, f"{part.name}: nothing"
+
+
+def _describe_values(part: Part, wrong: np.ndarray, gaps: np.ndarray) -> tuple[float, str]:
+    """Say how many values are wrong and by how much."""
     words = f"{part.name}: {wrong.sum()} of {wrong.size} values off"
+    finite = gaps[np.isfinite(gaps)]
     if not finite.size:
         return np.inf, f"{words}, none of them comparable"
-    typical = float(np.median(finite))
     if part.kind == "mask":  # a pixel is marked or not: there is no size to it
         return float(wrong.mean()), words
+    typical = float(np.median(finite))
     words += f", typically by {_round(typical)}{f' {part.unit}' if part.unit else ''}"
-    if part.atol:
-        words += f", {float(_round(typical / part.atol)):,.7g} times the tolerance"
-    return typical / part.atol if part.atol else float(wrong.mean()), words
+    if not part.atol:
+        return float(wrong.mean()), words
+    ratio = float(_round(typical / part.atol))
+    return typical / part.atol, f"{words}, {ratio:,.7g} times the tolerance"
 
 
 def _round(value: float) -> str:

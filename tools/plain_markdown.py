@@ -20,7 +20,8 @@ Resolve = Callable[[str], str]
 LABEL = re.compile(r"^\(([\w-]+)\)=\n", re.MULTILINE)
 LINK = re.compile(r"(?<=\]\()(?!\w+:)([^)#\s]+\.md)(#[\w-]*)?(?=\))")
 FENCE = re.compile(
-    r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w-]+)\} ?(?P<title>[^\n]*)\n(?P<body>.*?)^(?P=fence) *$\n?",
+    r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w-]+)\} ?(?P<title>[^\n]*)\n"
+    r"(?P<body>.*?)^(?P=fence) *$\n?",
     re.MULTILINE | re.DOTALL,
 )
 INCLUDE = re.compile(
@@ -31,7 +32,9 @@ OPTION = re.compile(r"^:([\w-]+): ?(.*)\n", re.MULTILINE)
 ROLE = re.compile(r"\{(\w+)\}`([^`]+)`")
 TARGET = re.compile(r"^(.*?)\s*<([^<>]+)>$", re.DOTALL)
 FORMULA = re.compile(r"^(\$\$.*?) *\$\$ *\(([\w-]+)\) *$", re.MULTILINE)
+TERM = re.compile(r"^(\S.*)\n {2,}", re.MULTILINE)
 TABLE_ROW = re.compile(r"^\* - ", re.MULTILINE)
+TABLE_CELL = re.compile(r"^  - ", re.MULTILINE)
 
 
 def find_labels(pages: dict[str, str]) -> dict[str, tuple[str, str]]:
@@ -76,21 +79,17 @@ class Flattener:
         name, title, body = match["name"], match["title"], match["body"]
         options = dict(OPTION.findall(body))
         body = OPTION.sub("", body).strip()
-        if name == "math":
-            label = options.get("label")
-            tag = f"\n\\tag{{{_shorten(label)}}}" if label else ""
-            return f"$$\n{body}{tag}\n$$\n"
-        if name in ("figure", "image"):
-            words = options.get("alt", "")
-            return f"![{words}]({title})\n\n*{body}*\n" if body else f"![{words}]({title})\n"
-        if name == "quiz":
-            return self._make_questions(title)
-        if name == "table":
-            return f"**{title}**\n\n{body}\n"
-        if name == "glossary":
-            return re.sub(r"^(\S.*)\n {2,}", r"**\1**: ", body, flags=re.MULTILINE) + "\n"
-        if name == "list-table":
-            return _make_table(body)
+        simple = {
+            "math": lambda: _make_formula(body, options.get("label")),
+            "figure": lambda: _make_picture(title, options.get("alt", ""), body),
+            "image": lambda: _make_picture(title, options.get("alt", ""), body),
+            "quiz": lambda: self._make_questions(title),
+            "table": lambda: f"**{title}**\n\n{body}\n",
+            "list-table": lambda: _make_table(body),
+            "glossary": lambda: TERM.sub(r"**\1**: ", body) + "\n",
+        }
+        if name in simple:
+            return simple[name]()
         inner = FENCE.sub(self._flatten_fence, f"{body}\n").strip()
         heading = title if name in ("admonition", "dropdown") else title or name.capitalize()
         return _quote(f"**{heading}**\n\n{inner}" if heading else inner)
@@ -143,12 +142,19 @@ def _shorten(label: str) -> str:
     return label.removeprefix("eq-")
 
 
+def _make_formula(body: str, label: str | None) -> str:
+    tag = f"\n\\tag{{{_shorten(label)}}}" if label else ""
+    return f"$$\n{body}{tag}\n$$\n"
+
+
+def _make_picture(path: str, words: str, caption: str) -> str:
+    return f"![{words}]({path})\n" + (f"\n*{caption}*\n" if caption else "")
+
+
 def _make_table(rows: str) -> str:
     """Turn the list of a list-table into lines with bars; its first row is the head."""
-    lines = [
-        "| " + " | ".join(" ".join(cell.split()) for cell in re.split(r"^  - ", row, flags=re.M))
-        for row in TABLE_ROW.split(rows)[1:]
-    ]
+    cells = [TABLE_CELL.split(row) for row in TABLE_ROW.split(rows)[1:]]
+    lines = ["| " + " | ".join(" ".join(cell.split()) for cell in row) for row in cells]
     columns = lines[0].count("|")
     lines.insert(1, "|" + "---|" * columns)
     return (
