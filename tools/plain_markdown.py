@@ -71,9 +71,14 @@ class Flattener:
         text = INCLUDE.sub(self._include, text)
         text = LABEL.sub("", text)
         text = FENCE.sub(self._flatten_fence, text)
+        text = LINK.sub(self._flatten_link, text)
         text = ROLE.sub(self._flatten_role, text)
-        text = FORMULA.sub(lambda match: f"{match[1]} \\tag{{{_shorten(match[2])}}} $$", text)
-        return LINK.sub(lambda match: self.resolve(match[1]), text)
+        return FORMULA.sub(lambda match: f"{match[1]} \\tag{{{_shorten(match[2])}}} $$", text)
+
+    def _flatten_link(self, match: re.Match[str]) -> str:
+        label = (match[2] or "").removeprefix("#")
+        place = _make_place(self.labels[label][1]) if label in self.labels else ""
+        return self.resolve(match[1]) + place
 
     def _flatten_fence(self, match: re.Match[str]) -> str:
         name, title, body = match["name"], match["title"], match["body"]
@@ -125,9 +130,7 @@ class Flattener:
             page, title = self.labels[target]
             words = words if split else title
             here = PurePosixPath(self.page).parent.as_posix()
-            # the id that JupyterLab gives to a heading
-            place = quote(title.replace(" ", "-").replace("`", ""))
-            return f"[{words}]({self.resolve(_make_relative(page, here))}#{place})"
+            return f"[{words}]({self.resolve(_make_relative(page, here))}{_make_place(title)})"
         if role == "numref":
             return "the figure"
         return words
@@ -135,6 +138,11 @@ class Flattener:
 
 def _quote(text: str) -> str:
     return "\n".join(f"> {line}".rstrip() for line in text.splitlines()) + "\n"
+
+
+def _make_place(title: str) -> str:
+    """Return the address within a notebook that JupyterLab gives to a heading."""
+    return "#" + quote(title.replace(" ", "-").replace("`", ""))
 
 
 def _shorten(label: str) -> str:
