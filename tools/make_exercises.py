@@ -109,6 +109,7 @@ def make_table(table: CheckTable) -> tuple[dict, bytes]:
         "parts": [part_to_words(part) for part in table.parts],
         "hints": list(table.hints),
         "misconceptions": table.misconceptions,
+        "links": table.links,
         "cases": [
             {"label": case.label, "raises": case.raises, "args": encode(case.args, arrays)}
             for case in table.cases
