@@ -172,7 +172,7 @@ def _check_range(
     table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
 ) -> Failure | None:
     for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
-        if x is None or y is None or not y.size:
+        if x is None or y is None or not y.size or part.dtype == "str":
             continue
         if part.values and not np.isin(y, part.values).all():
             found = sorted({int(value) for value in np.unique(y)} - set(part.values))[:3]

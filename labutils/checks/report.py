@@ -73,7 +73,8 @@ class Report:
     def __repr__(self) -> str:
         lines = [f"{'step':<5}{'exercise':<24}{'points':>6}  {'hints':<6}state"]
         lines += [
-            f"{row.step:<5}{row.name:<24}{row.points or '-':>6}  {row.hints}/{MAX_HINTS}   {row.state}"
+            f"{row.step:<5}{row.name:<24}{row.points or '-':>6}  "
+            f"{row.hints}/{MAX_HINTS}   {row.state}"
             for row in self.rows
         ]
         return "\n".join([*lines, "", *self.summary])

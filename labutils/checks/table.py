@@ -24,7 +24,7 @@ WORDS = "exercises.json"
 class Scene:
     """A MuJoCo scene an argument is made of, kept as text so that no table needs MuJoCo.
 
-    ``gives`` names the arguments made from it: "model", or "model", "data" and "renderer".
+    ``gives`` names the arguments made from it: "model", then "data", then "renderer".
     The positions `qpos` are set after the scene was forwarded, as a simulation leaves them.
     """
 
