@@ -158,10 +158,10 @@ def make_render_scene(rng: np.random.Generator, width: int, height: int) -> Scen
     return Scene(make_scene_text(rng), ("model", "data", "renderer"), qpos, width, height)
 
 
-def make_rotation(rng: np.random.Generator) -> np.ndarray:
-    """Make a rotation matrix about a generic axis, float64."""
+def make_rotation(rng: np.random.Generator, low: float = 0.6, high: float = 2.2) -> np.ndarray:
+    """Make a rotation matrix about a generic axis, float64; the limits are angles in radians."""
     axis = rng.uniform(0.3, 1.0, size=3) * rng.choice([-1.0, 1.0], size=3)
-    angle = rng.uniform(0.6, 2.2)
+    angle = rng.uniform(low, high)
     x, y, z = axis / np.sqrt((axis**2).sum())
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)

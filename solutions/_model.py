@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import inspect
 import itertools
+import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -28,15 +29,29 @@ __all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part"]
 #: at once then still fit below twelve lines.
 MAX_TEXT = 176
 
+#: The chapter of every step; a label such as step4-clean names its step.
+CHAPTERS = (
+    "step1_camera",
+    "step2_intrinsics",
+    "step3_depth",
+    "step4_color",
+    "step5_cloud",
+    "step6_view",
+)
+
 Mistakes = frozenset[str]
 
 
 @dataclass(frozen=True)
 class Misconception:
-    """A mistake: its name, and what to say to somebody who made it."""
+    """A mistake: its name, what to say to somebody who made it, and the section to read again.
+
+    Without a section of its own, a mistake leads to the section of its card.
+    """
 
     name: str
     text: str
+    section: str = ""
 
     def __post_init__(self) -> None:
         if not self.name or self.name != self.name.lower() or " " in self.name:
@@ -61,8 +76,15 @@ class Absorbed:
 class Exercise:
     """One card of the instructor's room.
 
+    Lab exercises have points, challenges have none. What a challenge asks for is not in labutils,
+    so its reference stands on its card.
+
     Parameters
     ----------
+    section : str
+        Label of the section to read again, such as "step4-clean".
+    objectives : tuple of str
+        The learning objectives it practices, such as "4c".
     reference : callable
         The right answer; for the lab's own functions it *is* the function of labutils.
     answer_with : callable
@@ -82,6 +104,7 @@ class Exercise:
     step: int
     points: int
     section: str
+    objectives: tuple[str, ...]
     reference: Callable[..., Any]
     answer_with: Callable[..., Any]
     parts: tuple[Part, ...]
@@ -107,8 +130,17 @@ class Exercise:
             raise ValueError(f"{self.name}: expected a reason with every exception and tolerance")
         if self.reference.__name__ != self.name:
             raise ValueError(f"{self.name}: the reference is called {self.reference.__name__}")
-        if self.points < 1 or not 1 <= self.step <= 6:
+        if self.points < 0 or not 1 <= self.step <= 6:
             raise ValueError(f"{self.name}: expected points and a step from 1 to 6")
+        if not self.objectives:
+            raise ValueError(f"{self.name}: expected at least one objective")
+        for label in (self.section, *(one.section for one in self.misconceptions if one.section)):
+            get_link(label)  # raises where it names no step
+
+    @property
+    def is_challenge(self) -> bool:
+        """Whether it goes beyond the lab: no points, and not in the library."""
+        return self.points == 0
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -153,10 +185,11 @@ class Exercise:
             step=self.step,
             points=self.points,
             parameters=self.parameters,
-            section=self.section,
+            section=get_link(self.section),
             parts=self.parts,
             hints=self.hints,
             misconceptions={one.name: one.text for one in self.misconceptions},
+            links={one.name: get_link(one.section) for one in self.misconceptions if one.section},
             cases=cases,
             expected=expected,
             wrong=wrong,
@@ -176,6 +209,13 @@ class Exercise:
                 f"{self.name}: answer_with without mistakes differs from the reference on "
                 f"{case.label!r}"
             )
+
+
+def get_link(label: str) -> str:
+    """Return the address of a labeled section, relative to any page of the book."""
+    if not re.fullmatch(r"step[1-6]-[a-z-]+", label):
+        raise ValueError(f"section: expected a label such as step4-clean, got {label!r}")
+    return f"../book/{CHAPTERS[int(label[4]) - 1]}.html#{label}"
 
 
 def round_outcome(outcome: Outcome) -> Outcome:

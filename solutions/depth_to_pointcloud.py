@@ -76,7 +76,8 @@ EXERCISE = Exercise(
     step=5,
     place=1,
     points=14,
-    section="../book/step5_cloud.html#page-step5",
+    section="step5-point",
+    objectives=("3c", "5a", "5b", "5e"),
     reference=labutils.depth_to_pointcloud,
     answer_with=_answer_with,
     parts=(
@@ -106,6 +107,7 @@ EXERCISE = Exercise(
             "pixel-corner",
             "your points are half a pixel off. A whole number (u, v) is the pixel's center, and K "
             "is made for that: add no 0.5.",
+            section="step2-center",
         ),
         Misconception(
             "one-focal-length",
@@ -116,6 +118,7 @@ EXERCISE = Exercise(
             "ray-length",
             "you take depth for the length of the ray. It is z, measured along the optical axis: "
             "multiply the slopes by it as it is.",
+            section="step3-range",
         ),
         Misconception(
             "y-up",
@@ -126,6 +129,7 @@ EXERCISE = Exercise(
             "invalid-kept",
             "pixels without a surface are still points. Leave out NaN, infinity, depth at or below "
             "0.01 m, and 10 m or more.",
+            section="step3-invalid",
         ),
         Misconception(
             "colors-to-255",

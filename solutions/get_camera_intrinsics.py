@@ -60,7 +60,8 @@ EXERCISE = Exercise(
     step=2,
     place=2,
     points=8,
-    section="../book/step2_intrinsics.html#page-step2",
+    section="step2-sensor",
+    objectives=("2c", "2d"),
     reference=labutils.get_camera_intrinsics,
     answer_with=_answer_with,
     parts=(
@@ -77,11 +78,13 @@ EXERCISE = Exercise(
             "half-pixel",
             "your center is W/2 and H/2. Pixel centers are whole numbers, from 0 to W-1: their "
             "middle lies half a pixel before W/2.",
+            section="step2-center",
         ),
         Misconception(
             "tangent-of-degrees",
             "model.cam_fovy is in degrees, and np.tan takes radians. Convert before you take the "
             "tangent.",
+            section="step2-focal",
         ),
         Misconception(
             "degrees-returned",

@@ -51,7 +51,8 @@ EXERCISE = Exercise(
     step=2,
     place=1,
     points=7,
-    section="../book/step2_intrinsics.html#page-step2",
+    section="step2-focal",
+    objectives=("2a", "2b", "2c"),
     reference=labutils.intrinsics_matrix,
     answer_with=_answer_with,
     parts=(Part("K", "matrix", "float", atol=1e-3, unit="px"),),
@@ -64,6 +65,7 @@ EXERCISE = Exercise(
             "half-pixel",
             "your center is W/2 and H/2. Pixel centers are whole numbers, from 0 to W-1: their "
             "middle lies half a pixel before W/2.",
+            section="step2-center",
         ),
         Misconception(
             "radians-again",
@@ -89,6 +91,7 @@ EXERCISE = Exercise(
             "center-swapped",
             "cx and cy are exchanged. The first row makes u, the column, so it holds the middle "
             "of the width.",
+            section="step2-center",
         ),
         Misconception(
             "transposed",

@@ -71,7 +71,8 @@ EXERCISE = Exercise(
     step=3,
     place=1,
     points=12,
-    section="../book/step3_depth.html#page-step3",
+    section="step3-raw",
+    objectives=("3a", "3b"),
     reference=labutils.process_depth,
     answer_with=_answer_with,
     parts=(Part("depth", "depth", "float", atol=1e-3, unit="m", low="near", high="far"),),
@@ -94,6 +95,7 @@ EXERCISE = Exercise(
             "reversed",
             "near and far are exchanged. In this buffer 0 is the near plane and 1 is the far one; "
             "reversed z is what MuJoCo uses inside.",
+            section="step3-reversed-z",
         ),
         Misconception(
             "ndc",

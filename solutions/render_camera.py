@@ -55,7 +55,8 @@ EXERCISE = Exercise(
     title="render color and depth from a named camera",
     step=1,
     points=15,
-    section="../book/step1_camera.html#page-step1",
+    section="step1-render",
+    objectives=("1a", "1b"),
     reference=labutils.render_camera,
     answer_with=_answer_with,
     parts=(
@@ -79,11 +80,13 @@ EXERCISE = Exercise(
             "stale-pose",
             "the picture shows where things were, not where qpos puts them now. A renderer reads "
             "positions that mj_forward (or mj_kinematics) computes: call it first.",
+            section="step1-stale",
         ),
         Misconception(
             "one-camera",
             "every picture comes from head_camera, whatever camera_name says. Pass camera_name on "
             "to update_scene.",
+            section="step1-cameras",
         ),
         Misconception(
             "converted-again",

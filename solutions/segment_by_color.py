@@ -61,7 +61,8 @@ EXERCISE = Exercise(
     step=4,
     place=1,
     points=12,
-    section="../book/step4_color.html#page-step4",
+    section="step4-hsv",
+    objectives=("4a", "4b", "4c"),
     reference=labutils.segment_by_color,
     answer_with=_answer_with,
     parts=(Part("mask", "mask", "uint8", atol=0, share=0.001, values=(0, 255)),),
@@ -79,6 +80,7 @@ EXERCISE = Exercise(
             "no-wrap",
             "red is missing. Its hues lie on both sides of 0: where the low hue is larger than the "
             "high one, take hues above low OR below high.",
+            section="step4-red-wrap",
         ),
         Misconception(
             "hue-in-degrees",
@@ -89,11 +91,13 @@ EXERCISE = Exercise(
             "no-cleaning",
             "the specks and holes are still there. Open the mask, then close it, with a kernel of "
             "5x5 ones.",
+            section="step4-clean",
         ),
         Misconception(
             "close-first",
             "you close before you open: closing joins specks to objects, and opening cannot part "
             "them again. Open first.",
+            section="step4-clean",
         ),
         Misconception(
             "limits-excluded",
@@ -104,6 +108,7 @@ EXERCISE = Exercise(
             "small-kernel",
             "your kernel is 3x3: specks survive that 5x5 ones remove. Use np.ones((5, 5), "
             "np.uint8).",
+            section="step4-clean",
         ),
     ),
     hints=(

@@ -66,7 +66,8 @@ EXERCISE = Exercise(
     step=3,
     place=2,
     points=8,
-    section="../book/step3_depth.html#page-step3",
+    section="step3-picture",
+    objectives=("3d", "3e"),
     reference=labutils.visualize_depth,
     answer_with=_answer_with,
     parts=(Part("picture", "mapped", "uint8", atol=1.01, unit="levels of 255"),),
@@ -99,11 +100,13 @@ EXERCISE = Exercise(
             "invalid-colored",
             "pixels without a depth get the color of a distance. Paint NaN, infinity and "
             "everything at or below zero black after coloring.",
+            section="step3-invalid",
         ),
         Misconception(
             "infinity-is-far",
             "infinite depth is shown as the reddest red. It is no distance: np.isfinite is False "
             "for it as it is for NaN.",
+            section="step3-invalid",
         ),
         Misconception(
             "rgb",

@@ -81,7 +81,7 @@ def find_stale(files: dict[Path, bytes], root: Path) -> dict[Path, str]:
             stale[path] = "missing"
         elif (root / path).read_bytes() != content:
             stale[path] = "out of date"
-    for folder in {path.parent for path in files}:
+    for folder in (TABLES, STARTERS):  # the other folders hold more than what is made here
         for found in sorted((root / folder).glob("*.*")):
             if found.is_file() and folder / found.name not in files:
                 stale[folder / found.name] = "left over"
@@ -109,6 +109,7 @@ def make_table(table: CheckTable) -> tuple[dict, bytes]:
         "parts": [part_to_words(part) for part in table.parts],
         "hints": list(table.hints),
         "misconceptions": table.misconceptions,
+        "links": table.links,
         "cases": [
             {"label": case.label, "raises": case.raises, "args": encode(case.args, arrays)}
             for case in table.cases

@@ -103,7 +103,9 @@ def judge_answers(table: CheckTable, answers: tuple[Outcome, ...], function: Any
         paragraphs = (*lines, _HIDDEN_CASES)
         return Verdict(table.name, "passed", paragraphs=paragraphs, counted=not borrowed)
     if failure.untouched:
-        return _fail(table, failure.gate, ("Not started yet.", failure.text))
+        # Nothing was tried, so nothing is kept: a page may check its starters when it is built.
+        verdict = _fail(table, failure.gate, ("Not started yet.", failure.text))
+        return replace(verdict, counted=False)
     made = recognize_mistakes(table, answers)
     told = [failure.text, _describe_where(table, answers, failure)]
     told += [f"Recognized: {text}" for text in get_hint(table, made)]
@@ -122,9 +124,8 @@ def _fail(
     made: tuple[str, ...] = (),
     picture: PanelPicture | None = None,
 ) -> Verdict:
-    return Verdict(
-        table.name, "failed", gate, " + ".join(made) or None, paragraphs, table.section, picture
-    )
+    link = next((table.links[name] for name in made if name in table.links), table.section)
+    return Verdict(table.name, "failed", gate, " + ".join(made) or None, paragraphs, link, picture)
 
 
 def _describe_where(table: CheckTable, answers: tuple[Outcome, ...], failure: Failure) -> str:
@@ -151,7 +152,9 @@ def _draw(table: CheckTable, answers: tuple[Outcome, ...], failure: Failure) -> 
     part, due, yours = _get_failed_part(table, answers, failure)
     if failure.gate not in ("range", "value", "shape") or part is None:
         return None
-    if part.kind in ("cloud", "rows") and (yours.ndim != 2 or yours.shape[1:] != due.shape[1:]):
+    if part.kind in ("cloud", "rows", "pixels") and (
+        yours.ndim != 2 or yours.shape[1:] != due.shape[1:]
+    ):
         return None
     return draw_comparison(part, due, yours)
 

@@ -79,7 +79,7 @@ def split_answer(parts: tuple[Part, ...], output: Any, seen: tuple[Any, ...]) ->
 
 def _read_part(part: Part, value: Any) -> np.ndarray:
     """Read one part; a list of whole numbers has no dtype, so it takes the one that is due."""
-    array = to_array(value)
+    array = to_array(value, with_texts=part.dtype == "str")
     if isinstance(value, tuple | list) and array.dtype.kind in "iu":
         if part.dtype == "float":
             return array.astype(np.float64)
@@ -88,13 +88,13 @@ def _read_part(part: Part, value: Any) -> np.ndarray:
     return array
 
 
-def to_array(value: Any) -> np.ndarray:
-    """Read numbers, tuples, lists and arrays as an array of numbers, or raise TypeError."""
+def to_array(value: Any, *, with_texts: bool = False) -> np.ndarray:
+    """Read numbers, tuples, lists and arrays as an array, or raise TypeError."""
     try:
         array = np.array(value)
     except Exception as error:
         raise TypeError(f"expected numbers, yours is {describe(value)}") from error
-    if array.dtype.kind not in "biuf":
+    if array.dtype.kind not in ("biufU" if with_texts else "biuf"):
         raise TypeError(f"expected numbers, yours is {describe(value)}")
     return array
 

@@ -59,7 +59,9 @@ def _is_alike(a: Parts, b: Parts) -> bool:
         if x is None or y is None:
             if x is not y:
                 return False
-        elif x.shape != y.shape or (x.dtype.kind == "f") != (y.dtype.kind == "f"):
+        elif x.shape != y.shape or any(
+            (x.dtype.kind == kind) != (y.dtype.kind == kind) for kind in "fU"
+        ):
             return False
     return True
 
@@ -78,6 +80,8 @@ def _is_cloud_alike(x: np.ndarray, y: np.ndarray, atol: float) -> bool:
 
 def get_differences(part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
     """Return yours minus expected; infinite where one of the two is no number."""
+    if part.dtype == "str":
+        return np.asarray(expected != yours).astype(np.int32)
     if part.kind == "mapped":
         expected, yours = to_levels(expected), to_levels(yours)
         if expected.shape != yours.shape:  # colors of no known map: nothing agrees

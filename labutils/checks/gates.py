@@ -23,7 +23,10 @@ _DTYPES = {
     "uint8": ("u", "uint8, whole numbers from 0 to 255"),
     "int": ("iu", "whole numbers"),
     "bool": ("b", "True or False"),
+    "str": ("U", "texts"),
 }
+#: Here the number of rows is part of the answer.
+_SELECTIONS = ("cloud", "attached", "boxes", "list", "names")
 _DIMENSIONS = {
     "number": (0, "a single number"),
     "flag": (0, "a single value"),
@@ -34,8 +37,15 @@ _DIMENSIONS = {
     "depth": (2, "(H, W), the size of the picture"),
     "mask": (2, "(H, W), the size of the picture"),
     "rows": (2, "(N, 3), one row per point that came in"),
-    "cloud": (2, "(N, 3), one row per valid pixel"),
+    "cloud": (2, "(N, 3), one row per point that is kept"),
     "attached": (2, "(N, 3), one row per point"),
+    "vector": (1, "as many numbers as the statement says"),
+    "choice": (0, "a single whole number"),
+    "pixels": (2, "(N, 2), one row per point that came in"),
+    "boxes": (2, "(N, 4), one row per object"),
+    "flags": (1, "(N,), one value per thing that came in"),
+    "list": (1, "(N,), one value per object"),
+    "names": (1, "(N,), one text per object"),
 }
 
 
@@ -137,9 +147,9 @@ def _check_shape(
         if x is None or y is None or x.shape == y.shape:
             continue
         ndim, words = _DIMENSIONS[part.kind]
-        if y.ndim == ndim and y.shape[1:] == x.shape[1:] and part.kind in ("cloud", "attached"):
+        if y.ndim == ndim and y.shape[1:] == x.shape[1:] and part.kind in _SELECTIONS:
             many = "too many" if len(y) > len(x) else "too few"
-            text = f"{part.name} has {many} rows ({len(y)}): which pixels are kept is not right."
+            text = f"{part.name} has {many} rows ({len(y)}): what is kept is not right."
         else:
             text = f"{part.name} has shape {y.shape}; due is {words}."
         return Failure("shape", text, index, number)
@@ -162,7 +172,7 @@ def _check_range(
     table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
 ) -> Failure | None:
     for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
-        if x is None or y is None or not y.size:
+        if x is None or y is None or not y.size or part.dtype == "str":
             continue
         if part.values and not np.isin(y, part.values).all():
             found = sorted({int(value) for value in np.unique(y)} - set(part.values))[:3]

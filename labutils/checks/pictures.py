@@ -28,7 +28,8 @@ _YOURS = (0, 94, 213)  # Okabe-Ito vermilion, BGR
 _MARK = (200, 0, 200)
 _MAX_DOTS = 5000  # more do not fit into a panel
 
-_DRAWN = frozenset({"rgb", "mapped", "depth", "mask", "cloud", "rows"})
+_POINTS = frozenset({"cloud", "rows", "pixels"})
+_DRAWN = frozenset({"rgb", "mapped", "depth", "mask"}) | _POINTS
 
 
 def draw_comparison(
@@ -40,7 +41,7 @@ def draw_comparison(
     """
     if part.kind not in _DRAWN or expected is None or yours is None:
         return None
-    if part.kind in ("cloud", "rows"):
+    if part.kind in _POINTS:
         return _draw_clouds(part, expected, yours)
     if expected.shape != yours.shape or not expected.size:
         return None

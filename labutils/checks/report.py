@@ -41,18 +41,25 @@ class Report:
 
     @property
     def next_row(self) -> Row | None:
-        """The first exercise that is not done."""
-        return next((row for row in self.rows if not row.passed), None)
+        """The first exercise of the lab that is not done, or else the first challenge."""
+        left = [row for row in self.rows if not row.passed]
+        return next((row for row in left if row.points), left[0] if left else None)
 
     @property
     def summary(self) -> tuple[str, ...]:
         """The sentences under the table."""
-        total = sum(row.points for row in self.rows)
-        done = sum(row.passed for row in self.rows)
+        lab = [row for row in self.rows if row.points]
+        challenges = [row for row in self.rows if not row.points]
+        total = sum(row.points for row in lab)
+        done = sum(row.passed for row in lab)
         lines = [
             (
-                f"Done: {done} of {len(self.rows)} exercises, {self.points} of {total} points in "
+                f"Done: {done} of {len(lab)} exercises, {self.points} of {total} points in "
                 f"reach so far, and {QUALITY_POINTS} more for code quality."
+            ),
+            (
+                f"Challenges: {sum(row.passed for row in challenges)} of {len(challenges)}. They "
+                "go beyond the lab and have no points."
             ),
             "These are the visible cases: hidden cases decide the grade.",
         ]
@@ -66,7 +73,8 @@ class Report:
     def __repr__(self) -> str:
         lines = [f"{'step':<5}{'exercise':<24}{'points':>6}  {'hints':<6}state"]
         lines += [
-            f"{row.step:<5}{row.name:<24}{row.points:>6}  {row.hints}/{MAX_HINTS}   {row.state}"
+            f"{row.step:<5}{row.name:<24}{row.points or '-':>6}  "
+            f"{row.hints}/{MAX_HINTS}   {row.state}"
             for row in self.rows
         ]
         return "\n".join([*lines, "", *self.summary])
@@ -80,7 +88,7 @@ class Report:
             f'<tr><td>{row.step}</td><th scope="row" style="text-align:left;font-weight:normal">'
             f'<a href="{html.escape(row.section)}" style="color:inherit">'
             f"<code>{row.name}</code></a> "
-            f"{html.escape(row.title)}</th><td>{row.points}</td>"
+            f"{html.escape(row.title)}</th><td>{row.points or '-'}</td>"
             f"<td>{row.hints}/{MAX_HINTS}</td><td>{html.escape(row.state)}</td></tr>"
             for row in self.rows
         )

@@ -17,17 +17,35 @@ if TYPE_CHECKING:
     from labutils.checks.table import Part
 
 _AXES = ("x", "y", "z")
+_COLUMNS = {"attached": "RGB", "pixels": "uv", "boxes": ("left", "top", "width", "height")}
 
 
 def describe_residual(
     part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray
 ) -> str:
     """Describe how `yours` is off where `wrong` is marked."""
-    if part.kind in ("number", "matrix", "pixel"):
+    if part.kind in ("choice", "flags", "names"):
+        return _describe_choices(part, expected, yours, wrong)
+    if part.kind in ("number", "matrix", "pixel", "vector"):
         return _describe_few(part, expected, yours, wrong)
-    if part.kind in ("rows", "cloud", "attached"):
+    if part.kind in ("rows", "cloud", "attached", "pixels", "boxes", "list"):
         return _describe_rows(part, expected, yours, wrong)
     return _describe_picture(part, expected, yours, wrong)
+
+
+def _describe_choices(
+    part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray
+) -> str:
+    if part.kind == "choice":
+        return f"{part.name} is not the right one."
+    count = np.count_nonzero(wrong)
+    if part.kind == "names":
+        return f"{count} of {wrong.size} {part.name} are not the right ones."
+    extra = np.count_nonzero(wrong & yours & ~expected)
+    return (
+        f"{part.name}: {count} of {wrong.size} are wrong: {extra} True that should be False, "
+        f"{count - extra} False that should be True."
+    )
 
 
 def _describe_few(part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray) -> str:
@@ -46,6 +64,8 @@ def _name_place(part: Part, place: tuple[int, ...]) -> str:
         return f"{part.name}[{place[0]}, {place[1]}]"
     if part.kind == "pixel":
         return _AXES[place[0]]
+    if part.kind == "vector":
+        return f"{part.name}[{place[0]}]"
     return part.name
 
 
@@ -68,14 +88,21 @@ def _describe_side(expected: float, yours: float) -> str:
 
 def _describe_rows(part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray) -> str:
     unit = f" {part.unit}" if part.unit else ""
-    columns = "RGB" if part.kind == "attached" else _AXES
+    if part.kind == "list":  # one column without a name
+        expected, yours, wrong = expected[:, None], yours[:, None], wrong[:, None]
+    columns = _COLUMNS.get(part.kind, _AXES)
     texts = []
     for axis in np.flatnonzero(wrong.any(axis=0)):
         gaps = np.abs(get_differences(part, expected[:, axis], yours[:, axis]))
         finite = gaps[np.isfinite(gaps) & wrong[:, axis]]
         count = np.count_nonzero(wrong[:, axis])
         typical = f", typically by {_round(np.median(finite))}{unit}" if len(finite) > 1 else ""
-        texts.append(f"{columns[axis]} in {count} of {len(wrong)} rows{typical}")
+        where = f"{count} of {len(wrong)}"
+        texts.append(
+            f"{where} values{typical}"
+            if part.kind == "list"
+            else f"{columns[axis]} in {where} rows{typical}"
+        )
     return f"{part.name}: off are {'; '.join(texts)}."
 
 

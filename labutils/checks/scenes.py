@@ -22,13 +22,15 @@ def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[
     OpenGL, so that they can be compared with a frozen answer.
     """
     model = mujoco.MjModel.from_xml_string(scene.xml)
-    if "renderer" not in scene.gives:
+    if "data" not in scene.gives:
         return (model,), ()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     # Positions change after the last mj_forward, as in a simulation loop: cameras and geoms are
     # stale until someone brings them up to date.
     data.qpos[:] = np.array(scene.qpos)
+    if "renderer" not in scene.gives:
+        return (model, data), ()
     renderer = RaycastRenderer(model, scene.height, scene.width)
 
     def is_in_color_mode() -> bool:

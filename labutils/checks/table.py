@@ -24,7 +24,7 @@ WORDS = "exercises.json"
 class Scene:
     """A MuJoCo scene an argument is made of, kept as text so that no table needs MuJoCo.
 
-    ``gives`` names the arguments made from it: "model", or "model", "data" and "renderer".
+    ``gives`` names the arguments made from it: "model", then "data", then "renderer".
     The positions `qpos` are set after the scene was forwarded, as a simulation leaves them.
     """
 
@@ -74,9 +74,11 @@ class Part:
     name, kind : str
         What it is called and how it is compared and drawn: "number", "matrix", "pixel", "rgb",
         "mapped" (a color-mapped picture), "depth", "mask", "rows", "cloud" (rows in any order),
-        "attached" (one row per point of the cloud before it) or "flag".
+        "attached" (one row per point of the cloud before it), "flag", "vector" (few numbers),
+        "choice" (a number that names something), "pixels" (one per row), "boxes" (likewise),
+        "flags", "list" or "names" (one value per thing).
     dtype : str
-        "float", "uint8", "int" or "bool".
+        "float", "uint8", "int", "bool" or "str".
     atol : float
         How far a value may be off.
     share : float
@@ -123,6 +125,8 @@ class CheckTable:
     expected: tuple[Outcome, ...]
     #: Names of the mistakes made at once (one or two) to the answers that come out.
     wrong: dict[tuple[str, ...], tuple[Outcome, ...]]
+    #: Mistakes that are explained in another section than the exercise.
+    links: dict[str, str] = field(default_factory=dict)
 
     @property
     def signature(self) -> str:
@@ -180,6 +184,7 @@ def load_table(name: str, folder: Path = TABLES) -> CheckTable:
         ),
         expected=outcomes(words["expected"]),
         wrong={tuple(item["made"]): outcomes(item["answers"]) for item in words["wrong"]},
+        links=dict(words["links"]),
     )
 
 

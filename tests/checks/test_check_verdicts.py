@@ -53,7 +53,7 @@ def test_known_mistake_is_named_with_its_hint_and_a_picture():
     assert verdict.property == "value"
     assert "hyperbolic" in verdict.message
     assert "Worst pixel: (u, v) =" in verdict.message
-    assert "Read again: ../book/step3_depth.html#page-step3" in verdict.message
+    assert "Read again: ../book/step3_depth.html#step3-raw" in verdict.message
     picture = cv2.imdecode(np.frombuffer(verdict.picture.png, np.uint8), cv2.IMREAD_COLOR)
     assert picture.shape[1] > 3 * 150
 

@@ -228,12 +228,26 @@ def test_points_are_the_rubric_of_the_lab():
     per_step = {}
     for exercise in load_exercises().values():
         per_step[exercise.step] = per_step.get(exercise.step, 0) + exercise.points
-    assert per_step == {1: 15, 2: 15, 3: 20, 4: 20, 5: 20}
+    assert per_step == {1: 15, 2: 15, 3: 20, 4: 20, 5: 20, 6: 0}
     assert sum(per_step.values()) + QUALITY_POINTS == 100
 
 
-def test_reference_is_the_function_of_the_library(exercise):
-    assert exercise.reference is getattr(labutils, exercise.name)
+def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
+    assert exercise.is_challenge != hasattr(labutils, exercise.name)
+    if not exercise.is_challenge:
+        assert exercise.reference is getattr(labutils, exercise.name)
+
+
+def test_verdicts_link_to_headings_and_places_that_exist(table):
+    for link in (table.section, *table.links.values()):
+        page, label = re.fullmatch(r"\.\./(book/step\d_\w+)\.html#([\w-]+)", link).groups()
+        assert f"\n({label})=\n" in (ROOT / f"{page}.md").read_text(encoding="utf-8")
+
+
+def test_mistake_with_its_own_section_leads_there(exercise, table):
+    for mistake in exercise.misconceptions:
+        verdict = judge(table, exercise.make_wrong((mistake.name,)))
+        assert verdict.link.endswith(f"#{mistake.section or exercise.section}")
 
 
 @pytest.mark.parametrize(
@@ -241,7 +255,9 @@ def test_reference_is_the_function_of_the_library(exercise):
     [
         ({"hints": ("one",)}, "expected 3 hints"),
         ({"misconceptions": ()}, "4 to 7 different misconceptions"),
-        ({"points": 0}, "points and a step"),
+        ({"points": -1}, "points and a step"),
+        ({"objectives": ()}, "at least one objective"),
+        ({"section": "page-step3"}, "a label such as"),
         ({"name": "other"}, "the reference is called"),
         ({"tolerance_reason": ""}, "a reason"),
     ],

@@ -12,6 +12,7 @@ from labutils.checks.calls import collect_answers
 from labutils.checks.gates import find_failure
 from labutils.checks.table import load_table
 from solutions import load_exercises
+from tests.solutions.challenge_variants import CHALLENGE_VARIANTS
 
 
 def render_with_kinematics(model, data, renderer, camera_name):
@@ -241,6 +242,7 @@ VARIANTS = {
         cloud_by_cv2_backwards,
     ],
     "camera_to_world": [world_by_homogeneous, world_in_single_precision, world_as_lists],
+    **CHALLENGE_VARIANTS,
 }
 
 
