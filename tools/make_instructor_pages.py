@@ -233,12 +233,14 @@ def make_step(step: int, exercises: list[Exercise], minutes: Minutes, notes: str
 
 def make_exercise(exercise: Exercise) -> str:
     """Return the section of one exercise."""
-    kind = "lab exercise" if is_answered_by_library(exercise) else "challenge"
+    kind = f"A lab exercise of {exercise.points} points"
+    if not is_answered_by_library(exercise):
+        kind = "A challenge: the library does not answer it"
     measured = measure(exercise)
     return f"""## `{exercise.name}`: {exercise.title}
 
-A {kind} of {exercise.points} points. Checks send learners to
-{make_link(exercise)}. Tolerance: {exercise.tolerance_reason}.
+{kind}. It practices {", ".join(exercise.objectives)}. The check sends learners
+back to {{ref}}`{exercise.section}`. Tolerance: {exercise.tolerance_reason}.
 
 ### Reference solution of `{exercise.name}`
 
@@ -264,14 +266,6 @@ Hints a learner may ask for:
 {make_cases(exercise)}"""
 
 
-def make_link(exercise: Exercise) -> str:
-    """Link the section of a card, which is written for built pages: by its label if it has one."""
-    page, _, label = exercise.section.partition("#")
-    if label:
-        return f"{{ref}}`the section it belongs to <{label}>`"
-    return f"[the page it belongs to](../../{page.removeprefix('../').replace('.html', '.md')})"
-
-
 def get_source(function: Callable[..., Any]) -> str:
     """Return the code of a function and of the helpers in its card that it calls."""
     return "\n\n".join(
@@ -288,10 +282,13 @@ def make_mistake(exercise: Exercise, one: Measured) -> str:
     else:
         told = list_cases(one.rival_cases, count)
         rival = f"**Closest** is *{one.rival}*, told apart by {told}."
+    hidden = f"{100 * one.kept:.0f} % of the hidden cases"
+    if exercise.points:
+        hidden += f", {one.kept * exercise.points:.1f} of {exercise.points} points"
     return f"""**{one.name}**
 : *{one.text[0].upper()}{one.text[1:]}*
 : **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}. **Off by** \
-{one.residual}. {rival} **Keeps** {one.kept * exercise.points:.1f} of {exercise.points} points.
+{one.residual}. {rival} **Keeps** {hidden}.
 """
 
 
@@ -324,5 +321,6 @@ def make_cases(exercise: Exercise) -> str:
     ]
     for number, (case, outcome) in enumerate(zip(hidden, due, strict=True), 1):
         note = f", raises {outcome.kind}" if isinstance(outcome, Raised) else ""
-        rows.append(f"| hidden {number} | {case.label}{note} | {share:.2f} |")
+        points = f"{share:.2f}" if exercise.points else "none"
+        rows.append(f"| hidden {number} | {case.label}{note} | {points} |")
     return "\n".join(["| Case | What it shows | Points |", "|---|---|---:|", *rows])

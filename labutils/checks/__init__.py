@@ -15,6 +15,7 @@ from typing import Any
 from labutils.checks.calls import collect_answers, find_call_problem
 from labutils.checks.compare import align_rows
 from labutils.checks.gates import Failure, find_failure
+from labutils.checks.links import find_link
 from labutils.checks.pictures import draw_comparison
 from labutils.checks.progress import MAX_HINTS, load_progress, save_progress
 from labutils.checks.recognize import get_hint, recognize_mistakes
@@ -58,7 +59,7 @@ def check(name: str, function: Any = None) -> Verdict:
         verdict = judge(load_table(name), function)
     except TableError as error:
         return Verdict(str(name), "not checked", paragraphs=(f"{error}.", _NOT_YOURS))
-    return _keep(verdict)
+    return _keep(replace(verdict, link=find_link(verdict.link)))
 
 
 def _describe_unknown(name: object, known: list[str]) -> str:

@@ -6,6 +6,7 @@ import html
 from dataclasses import dataclass
 from pathlib import Path
 
+from labutils.checks.links import find_link
 from labutils.checks.progress import MAX_HINTS, load_progress
 from labutils.checks.table import read_words
 
@@ -89,7 +90,8 @@ class Report:
             f'<a href="{html.escape(row.section)}" style="color:inherit">'
             f"<code>{row.name}</code></a> "
             f"{html.escape(row.title)}</th><td>{row.points or '-'}</td>"
-            f"<td>{row.hints}/{MAX_HINTS}</td><td>{html.escape(row.state)}</td></tr>"
+            f'<td>{row.hints}/{MAX_HINTS}</td><td style="text-align:left">'
+            f"{html.escape(row.state)}</td></tr>"
             for row in self.rows
         )
         notes = "".join(f"<p>{html.escape(line)}</p>" for line in self.summary)
@@ -100,10 +102,12 @@ class Report:
         return (
             '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
             '<meta name="viewport" content="width=device-width, initial-scale=1">'
-            "<title>Lab progress</title><style>body{font:1rem/1.5 system-ui,sans-serif;"
-            "max-width:52rem;margin:2rem auto;padding:0 1rem;color-scheme:light dark}"
-            "table{border-collapse:collapse;width:100%}"
-            "td,th{padding:.3rem .6rem;border-bottom:1px solid #767b85}</style></head>"
+            "<title>Lab progress</title><style>:root{color-scheme:light dark}"
+            "body{font:1rem/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;"
+            "padding:0 1rem}table{border-collapse:collapse;width:100%}"
+            "td,th{padding:.3rem .6rem;border-bottom:1px solid #767b85}code,p{overflow-wrap:anywhere}"
+            "@media(max-width:34rem){body{font-size:.85rem;padding:0 .5rem}"
+            "td,th{padding:.3rem .2rem}}</style></head>"
             f"<body><h1>Lab progress</h1>{self._repr_html_()}</body></html>\n"
         )
 
@@ -134,7 +138,7 @@ def report(folder: str | Path | None = None) -> Report:
                 state=_describe_state(record),
                 passed=record is not None and record.passed,
                 hints=record.hints if record else 0,
-                section=words["section"],
+                section=find_link(words["section"]),
             )
         )
     return Report(tuple(rows), progress.notice)

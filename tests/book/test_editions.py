@@ -97,6 +97,7 @@ def test_every_card_has_its_section_with_everything_in_it(pages):
         for mistake in exercise.misconceptions:
             assert f"**{mistake.name}**" in section
             assert mistake.text[1:] in section
+        assert f"{{ref}}`{exercise.section}`" in section
         for hint in exercise.hints:
             assert hint in section
         for one in exercise.absorbed:

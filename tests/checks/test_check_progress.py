@@ -161,3 +161,16 @@ def test_command_line_reports_another_folder(folder, capsys, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["labutils", "report", "--in", str(folder)])
     assert main() == 0
     assert "1 of 9 exercises" in capsys.readouterr().out
+
+
+def test_links_lead_to_the_notebook_where_there_is_one(folder, monkeypatch):
+    page = read_words()["camera_to_world"]["section"].partition("#")[0]
+    (folder / "exercises").mkdir()
+    monkeypatch.chdir(folder / "exercises")
+    assert check("camera_to_world", wrong).link.startswith(f"{page}#")
+    notebook = page.replace(".html", ".ipynb")
+    (folder / "book").mkdir()
+    (folder / "exercises" / notebook).touch()
+    assert check("camera_to_world", wrong).link == notebook
+    assert {row.section for row in report().rows if row.name == "camera_to_world"} == {notebook}
+    assert notebook in report().to_page()
