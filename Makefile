@@ -31,8 +31,9 @@ lab: setup ## open the chapters as notebooks in JupyterLab
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
 
-exercises: setup ## derive starters, check tables, rubric and hints from solutions/
+exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
 	@$(RUN) tools/make_exercises.py
+	@$(RUN) tools/make_objectives.py
 
 test: setup ## run all tests, and every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
