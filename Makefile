@@ -34,8 +34,9 @@ lab: setup ## open the chapters as notebooks in JupyterLab
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
 
-exercises: setup ## derive starters, check tables, rubric and hints from solutions/
+exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
 	@$(RUN) tools/make_exercises.py
+	@$(RUN) tools/make_objectives.py
 
 student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
 	@$(RUN) tools/make_student.py

@@ -143,6 +143,11 @@ class Exercise:
         return self.points == 0
 
     @property
+    def chapter(self) -> str:
+        """The stem of the chapter of its step."""
+        return CHAPTERS[self.step - 1]
+
+    @property
     def parameters(self) -> tuple[str, ...]:
         """The names of the arguments."""
         return tuple(inspect.signature(self.reference).parameters)

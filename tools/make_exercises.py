@@ -1,19 +1,17 @@
 """Derive everything an exercise needs from its card in solutions/: what `make exercises` runs.
 
-Writes the starters (signature and docstring, no body), the frozen tables a check reads, the rubric
-table of the book and the instructor's list of hints. With ``--check`` nothing is written: the
+Writes the starters (signature and docstring, no body), the frozen tables a check reads, the marked
+parts of the exercise pages and chapters, the rubric table of the book and the instructor's list of
+hints. With ``--check`` nothing is written: the
 script fails where a file differs from what its card gives.
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
-import inspect
 import io
 import json
 import sys
-import textwrap
 import zipfile
 from pathlib import Path
 
@@ -21,6 +19,15 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
+
+from exercise_pages import (  # noqa: E402
+    describe_points,
+    fill_chapter,
+    fill_page,
+    get_step,
+    make_link,
+    make_starter,
+)
 
 from labutils.checks.table import WORDS, CheckTable, encode, part_to_words  # noqa: E402
 from solutions import QUALITY_POINTS, Exercise, load_exercises  # noqa: E402
@@ -66,8 +73,15 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
     for name, exercise in exercises.items():
         table = exercise.freeze()
         words[name], files[TABLES / f"{name}.npz"] = make_table(table)
-        files[STARTERS / f"{name}.py"] = make_starter(exercise).encode()
+        head = f'"""Starter of the exercise {name}.\n\n{NOTE}\n"""\n\n'
+        files[STARTERS / f"{name}.py"] = (head + make_starter(exercise)).encode()
     files[TABLES / WORDS] = (json.dumps(words, indent=1) + "\n").encode()
+    for path in sorted(Path(ROOT, "exercises").glob("step*.md")):
+        text = fill_page(path.read_text(encoding="utf-8"), exercises, get_step(path))
+        files[path.relative_to(ROOT)] = text.encode()
+    for path in sorted(Path(ROOT, "book").glob("step*.md")):
+        text = fill_chapter(path.read_text(encoding="utf-8"), exercises, path)
+        files[path.relative_to(ROOT)] = text.encode()
     files[RUBRIC] = make_rubric(exercises).encode()
     files[HINTS] = make_hints(exercises).encode()
     return files
@@ -140,33 +154,14 @@ def pack(arrays: dict[str, np.ndarray]) -> bytes:
     return buffer.getvalue()
 
 
-def make_starter(exercise: Exercise) -> str:
-    """Keep signature and docstring of the reference, and nothing of its body."""
-    tree = ast.parse(textwrap.dedent(inspect.getsource(exercise.reference)))
-    function = tree.body[0]
-    assert isinstance(function, ast.FunctionDef)  # noqa: S101 - cards refer to plain functions
-    for argument in function.args.args:
-        argument.annotation = None  # the names in them are not imported where a learner writes
-    docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
-    docstring = textwrap.indent(docstring, "    ", lambda line: bool(line.strip()))
-    return (
-        f'"""Starter of the exercise {exercise.name}. {NOTE}"""\n\n'.replace(
-            ". Written", ".\n\nWritten"
-        )
-        + "\n".join(exercise.imports)
-        + f'\n\n\ndef {exercise.name}({ast.unparse(function.args)}):\n    """{docstring.strip()}\n'
-        f'    """\n    raise NotImplementedError\n'
-    )
-
-
 def make_rubric(exercises: dict[str, Exercise]) -> str:
     """Return the rubric as a table; its points have to sum to 100."""
     rows = ["| Criterion | Points | What is asked | Exercises |", "|---|---:|---|---|"]
     total = QUALITY_POINTS
     for step, (criterion, asked) in CRITERIA.items():
-        chosen = [exercise for exercise in exercises.values() if exercise.step == step]
+        chosen = [one for one in exercises.values() if one.step == step and not one.is_challenge]
         points = sum(exercise.points for exercise in chosen)
-        names = ", ".join(f"`{exercise.name}` ({exercise.points})" for exercise in chosen)
+        names = ", ".join(f"{make_link(exercise)} ({exercise.points})" for exercise in chosen)
         rows.append(f"| {criterion} | {points} | {asked} | {names} |")
         total += points
     rows.append(
@@ -184,7 +179,7 @@ def make_hints(exercises: dict[str, Exercise]) -> str:
     for exercise in exercises.values():
         pairs = len(exercise.get_combinations()) - len(exercise.misconceptions)
         lines += [
-            f"## `{exercise.name}`: {exercise.title} ({exercise.points} points)",
+            f"## `{exercise.name}`: {exercise.title} ({describe_points(exercise)})",
             "",
             f"Tolerance: {exercise.tolerance_reason}.",
             "",

@@ -1,9 +1,9 @@
 """Write the map of the learning objectives: where each is taught, practiced and asked.
 
 The objectives themselves stand in the chapters, as lines such as ``- **3a.** convert ...``;
-``exercises/objectives.yml`` adds sections and exercises, ``exercises/concepts`` the
-questions. Nothing may hang in the air: an objective without section, exercise or
-question is an error, and so is every name that leads nowhere.
+``exercises/objectives.yml`` adds the sections, the cards in ``solutions`` the exercises,
+``exercises/concepts`` the questions. Nothing may hang in the air: an objective without
+section, exercise or question is an error, and so is every name that leads nowhere.
 
 Usage: ``python tools/make_objectives.py [--check]``. With ``--check`` nothing is written;
 a table that is not up to date is an error.
@@ -20,10 +20,14 @@ import yaml
 from quiz_items import Item, load_all
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from solutions import load_exercises  # noqa: E402
+
 TABLE = Path("book", "_generated", "objectives.md")
 OBJECTIVE = re.compile(r"^- \*\*(\d[a-z])\.\*\* (.+)$", re.MULTILINE)
 LABEL = re.compile(r"^\(([\w-]+)\)=\n+#+ ", re.MULTILINE)  # only above a heading
-MADE_BY = "<!-- Made by tools/make_objectives.py; edit exercises/objectives.yml instead. -->"
+MADE_BY = "<!-- Made by tools/make_objectives.py from chapters, cards and questions. -->"
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,7 @@ class Book:
 
 
 def read_book(root: Path = ROOT) -> Book:
-    """Read chapters, questions and ``exercises/objectives.yml``."""
+    """Read chapters, cards, questions and ``exercises/objectives.yml``."""
     objectives: dict[str, tuple[str, str]] = {}
     labels: dict[str, str] = {}
     for path in sorted((root / "book").glob("*.md")):
@@ -79,7 +83,7 @@ def read_book(root: Path = ROOT) -> Book:
         objectives=dict(sorted(objectives.items())),
         labels=labels,
         sections=linked["sections"],
-        exercises=linked["exercises"],
+        exercises={name: card.objectives for name, card in load_exercises().items()},
         items=[
             item for items in load_all(root / "exercises" / "concepts").values() for item in items
         ],
@@ -151,7 +155,10 @@ def make_table(book: Book) -> str:
         cells = (
             f"**{name}** {wording}".replace("|", r"\|"),
             f"{{ref}}`{book.sections[name]}`",
-            ", ".join(f"`{exercise}`" for exercise in book.get_exercises(name)),
+            ", ".join(
+                f"{{ref}}`{one} <exercise-{one.replace('_', '-')}>`"
+                for one in book.get_exercises(name)
+            ),
             ", ".join(f"{{ref}}`{item} <quiz-{item}>`" for item in book.get_questions(name)),
         )
         lines.append(f"| {' | '.join(cells)} |")

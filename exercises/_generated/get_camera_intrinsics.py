@@ -1,6 +1,7 @@
 """Starter of the exercise get_camera_intrinsics.
 
-Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`."""
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
 
 import mujoco
 import numpy as np

@@ -1,6 +1,7 @@
 """Starter of the exercise nearest_object.
 
-Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`."""
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
 
 import numpy as np
 

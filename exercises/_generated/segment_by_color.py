@@ -1,6 +1,7 @@
 """Starter of the exercise segment_by_color.
 
-Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`."""
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
 
 import cv2
 import numpy as np

@@ -14,10 +14,16 @@ import numpy as np
 from labutils.checks.compare import get_differences, to_levels
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from labutils.checks.table import Part
 
 _AXES = ("x", "y", "z")
-_COLUMNS = {"attached": "RGB", "pixels": "uv", "boxes": ("left", "top", "width", "height")}
+_COLUMNS: dict[str, Sequence[str]] = {
+    "attached": "RGB",
+    "pixels": "uv",
+    "boxes": ("left", "top", "width", "height"),
+}
 
 
 def describe_residual(
@@ -90,7 +96,7 @@ def _describe_rows(part: Part, expected: np.ndarray, yours: np.ndarray, wrong: n
     unit = f" {part.unit}" if part.unit else ""
     if part.kind == "list":  # one column without a name
         expected, yours, wrong = expected[:, None], yours[:, None], wrong[:, None]
-    columns = _COLUMNS.get(part.kind, _AXES)
+    columns: Sequence[str] = _COLUMNS.get(part.kind, _AXES)
     texts = []
     for axis in np.flatnonzero(wrong.any(axis=0)):
         gaps = np.abs(get_differences(part, expected[:, axis], yours[:, axis]))
@@ -101,7 +107,7 @@ def _describe_rows(part: Part, expected: np.ndarray, yours: np.ndarray, wrong: n
         texts.append(
             f"{where} values{typical}"
             if part.kind == "list"
-            else f"{columns[axis]} in {where} rows{typical}"
+            else f"{columns[int(axis)]} in {where} rows{typical}"
         )
     return f"{part.name}: off are {'; '.join(texts)}."
 

@@ -128,4 +128,4 @@ def test_the_table_names_everything_once(book):
         assert row.count(" | ") == 3
         assert f"{{ref}}`{book.sections[name]}`" in row
     for exercise in book.exercises:
-        assert f"`{exercise}`" in "".join(rows)
+        assert f"{{ref}}`{exercise} <exercise-{exercise.replace('_', '-')}>`" in "".join(rows)
