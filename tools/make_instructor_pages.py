@@ -41,9 +41,9 @@ MADE_BY = "<!-- Written by tools/make_instructor_pages.py. -->"
 TITLE = "Camera Image Processing for Robotics, instructor edition"
 BANNER = "Instructor edition: it holds the solutions. Do not publish it."
 
-# "| Reading | about 20 minutes |" of the card at the top of a chapter
+# "| Reading | about 20 minutes |" of the card at the top of a chapter, "Time" of exercises
 TIME = re.compile(
-    r"^\| (Reading|Doing) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.MULTILINE
+    r"^\| (Reading|Doing|Time) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.MULTILINE
 )
 
 
@@ -137,7 +137,7 @@ def parse_minutes(text: str) -> Minutes:
         for what, low, high in TIME.findall(text)
     }
     reading = times.get("Reading") or 0
-    doing = times.get("Doing", 0)
+    doing = times.get("Doing", times.get("Time", 0))
     return Minutes(reading, reading if doing is None else doing)
 
 
@@ -176,8 +176,8 @@ to show, the solutions, the mistakes that the checks recognize, and the points.
 | {len(every) - len(lab)} |
 
 {QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are those of
-the pages' cards, a plan rather than a measurement; the exercises of a step are part of *doing*
-where its pages say so.
+the pages' cards, a plan rather than a measurement; *doing* counts the exercises and challenges of
+the step too.
 
 ## How were the checks tested?
 

@@ -127,6 +127,7 @@ def test_every_step_has_notes_and_minutes(pages):
         ("| Reading | about 20 minutes |\n| Doing | about 25 minutes |\n", 20, 25),
         ("| Reading | about 20 minutes |\n| Doing | as long again |\n", 20, 20),
         ("| Reading | about 10 to 20 minutes |\n", 15, 0),
+        ("| Time | about 110 minutes |\n", 0, 110),
         ("no card\n", 0, 0),
     ],
 )
