@@ -63,4 +63,4 @@ lock: setup ## write requirements.txt anew from requirements.in
 		--generate-hashes --no-annotate --no-header --quiet -o requirements.txt
 
 clean: ## remove everything `make` built, the virtual environment too
-	@rm -rf _build outputs $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache
+	@rm -rf _build outputs solutions/pages $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache

@@ -194,7 +194,7 @@ What the step pages say of a mistake is measured when the pages are built, on th
 on the hidden cases of {len(SEEDS)} seeds:
 
 **seen by** names the first gate it fails, and the visible cases on which it is wrong;
-**off by** tells how far, on the case where it is worst;
+**worst** tells how far it is off, on the case where that is most;
 **closest** is the mistake that agrees with it most often, and the cases that part the two;
 **keeps** is what somebody who makes this mistake only may expect to earn.
 
@@ -287,7 +287,7 @@ def make_mistake(exercise: Exercise, one: Measured) -> str:
         hidden += f", {one.kept * exercise.points:.1f} of {exercise.points} points"
     return f"""**{one.name}**
 : *{one.text[0].upper()}{one.text[1:]}*
-: **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}. **Off by** \
+: **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}. **Worst**: \
 {one.residual}. {rival} **Keeps** {hidden}.
 """
 
