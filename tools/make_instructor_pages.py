@@ -10,10 +10,8 @@ Run by ``make book EDITION=instructor``.
 from __future__ import annotations
 
 import inspect
-import re
 import sys
 import textwrap
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +23,7 @@ sys.path.insert(0, str(ROOT))
 
 from card_code import find_called, is_answered_by_library  # noqa: E402
 from measure_mistakes import SEEDS, Measured, measure  # noqa: E402
+from page_minutes import Minutes, read_minutes  # noqa: E402
 
 from labutils.checks.table import Raised  # noqa: E402
 from solutions import QUALITY_POINTS, load_exercises  # noqa: E402
@@ -40,27 +39,6 @@ EDITION = Path("_build", "instructor")
 MADE_BY = "<!-- Written by tools/make_instructor_pages.py. -->"
 TITLE = "Camera Image Processing for Robotics, instructor edition"
 BANNER = "Instructor edition: it holds the solutions. Do not publish it."
-
-# "| Reading | about 20 minutes |" of the card at the top of a chapter, "Time" of exercises
-TIME = re.compile(
-    r"^\| (Reading|Doing|Time) \| (?:about (\d+)(?: to (\d+))? minutes|as long again)", re.MULTILINE
-)
-
-
-@dataclass(frozen=True)
-class Minutes:
-    """How long a page takes."""
-
-    reading: int = 0
-    doing: int = 0
-
-    def __add__(self, other: Minutes) -> Minutes:
-        return Minutes(self.reading + other.reading, self.doing + other.doing)
-
-    @property
-    def total(self) -> int:
-        """Both together."""
-        return self.reading + self.doing
 
 
 def write_pages(root: Path = ROOT) -> str:
@@ -117,28 +95,6 @@ def make_pages(root: Path, toc: dict[str, Any]) -> dict[Path, str]:
             step, exercises, minutes.get(step, Minutes()), read_notes(root, step)
         )
     return pages
-
-
-def read_minutes(root: Path, toc: dict[str, Any]) -> dict[int, Minutes]:
-    """Add up what the cards of the chapters and exercise pages of a step say."""
-    found: dict[int, Minutes] = {}
-    for name in re.findall(r"'file': '([^']+)'", str(toc)):
-        if match := re.match(r"step(\d)", Path(name).name):
-            text = (root / name).with_suffix(".md").read_text(encoding="utf-8")
-            step = int(match[1])
-            found[step] = found.get(step, Minutes()) + parse_minutes(text)
-    return found
-
-
-def parse_minutes(text: str) -> Minutes:
-    """Read the card of one page; "as long again" is as long as reading."""
-    times = {
-        what: (int(low) + int(high or low)) // 2 if low else None
-        for what, low, high in TIME.findall(text)
-    }
-    reading = times.get("Reading") or 0
-    doing = times.get("Doing", times.get("Time", 0))
-    return Minutes(reading, reading if doing is None else doing)
 
 
 def read_notes(root: Path, step: int) -> str:

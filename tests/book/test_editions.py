@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 import yaml
 from measure_mistakes import describe_residual, measure
+from page_minutes import parse_minutes
 from plain_markdown import Flattener, find_labels
 
 import labutils
@@ -132,7 +133,7 @@ def test_every_step_has_notes_and_minutes(pages):
     ],
 )
 def test_minutes_are_read_from_the_card(card, reading, doing):
-    minutes = make_instructor_pages.parse_minutes(card)
+    minutes = parse_minutes(card)
     assert (minutes.reading, minutes.doing) == (reading, doing)
 
 
