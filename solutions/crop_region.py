@@ -67,7 +67,7 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     T_world_robot[:3, :3] = make_rotation(rng)
     T_world_robot[:3, 3] = rng.uniform(0.3, 0.6, size=3) * rng.choice([-1, 1], size=3)
     T_world_robot = np.round(T_world_robot, 9)
-    points = rng.uniform(low - 0.8, high + 0.8, size=(150, 3))
+    points = rng.uniform(low - 0.3, high + 0.3, size=(200, 3))
     # A point within a millimeter of a limit would depend on rounding.
     near = (np.abs(points - low) < 1e-3) | (np.abs(points - high) < 1e-3)
     points = points[~near.any(axis=1)]

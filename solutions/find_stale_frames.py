@@ -85,7 +85,7 @@ def _make_case(rng: np.random.Generator, label: str, noise: int) -> Case:
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(101)
     return (
-        _make_case(rng, "a log of thirteen pictures", 3),
+        _make_case(rng, "a log of twelve pictures", 3),
         _make_case(rng, "another log, with more noise", 5),
     )
 

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 PART = re.compile(r"<!-- begin (?P<name>[\w ]+) -->\n.*?<!-- end (?P=name) -->\n", re.DOTALL)
 HEADING = re.compile(r"^\(exercise-([a-z-]+)\)=\n## ", re.MULTILINE)
 
+#: Columns of a code cell that a page shows without scrolling.
+WIDTH = 70
+
 #: Minutes, a rough guess for planning: an exercise of the lab, and a challenge.
 LAB_MINUTES, CHALLENGE_MINUTES = 20, 30
 
@@ -53,11 +56,48 @@ def make_starter(exercise: Exercise) -> str:
     for argument in function.args.args:
         argument.annotation = None  # the names in them are not imported where a learner writes
     docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
-    docstring = textwrap.indent(docstring, "    ", lambda line: bool(line.strip()))
+    docstring = textwrap.indent(rewrap(docstring), "    ", lambda line: bool(line.strip()))
+    head = f"def {exercise.name}({ast.unparse(function.args)}):"
+    if len(head) > WIDTH:
+        head = f"def {exercise.name}(\n    {ast.unparse(function.args)},\n):"
     return (
-        "\n".join(exercise.imports)
-        + f'\n\n\ndef {exercise.name}({ast.unparse(function.args)}):\n    """{docstring.strip()}\n'
+        "\n".join(exercise.imports) + f'\n\n\n{head}\n    """{docstring.strip()}\n'
         f'    """\n    raise NotImplementedError\n'
+    )
+
+
+def rewrap(docstring: str) -> str:
+    """Break lines that are too long for a cell on a page, but no examples."""
+    lines: list[str] = []
+    block: list[str] = []
+    for line in [*docstring.splitlines(), ""]:
+        ends = not line or line.startswith("---") or _get_indent(line) != _get_indent(*block[:1])
+        if ends and block:
+            lines += _wrap(block)
+            block = []
+        if not line or line.startswith("---"):
+            lines.append(line)
+        else:
+            block.append(line)
+    return "\n".join(lines).strip()
+
+
+def _get_indent(line: str = "") -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _wrap(block: list[str]) -> list[str]:
+    limit = WIDTH - 4  # inside a function
+    if max(map(len, block)) <= limit or block[0].lstrip().startswith(">>>"):
+        return block
+    indent = " " * _get_indent(block[0])
+    return textwrap.wrap(
+        " ".join(line.strip() for line in block),
+        limit,
+        initial_indent=indent,
+        subsequent_indent=indent if " : " not in block[0] else f"{indent}    ",
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 

@@ -11,7 +11,8 @@ def camera_to_world(points, cam_xpos, cam_xmat):
 
     Convention
     ----------
-    ``R_world_cv = cam_xmat @ diag(1, -1, -1)``: MuJoCo's camera has y up and looks along -z.
+    ``R_world_cv = cam_xmat @ diag(1, -1, -1)``: MuJoCo's camera has y
+    up and looks along -z.
 
     Parameters
     ----------

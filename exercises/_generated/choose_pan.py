@@ -7,10 +7,11 @@ import numpy as np
 
 
 def choose_pan(u, pan, fov_y, width, height):
-    """Choose the angle of the neck that brings a pixel column to the middle of the picture.
+    """Choose the angle of the neck that brings a pixel column to the
+    middle of the picture.
 
-    The head is level, and the camera sits on the axis of the neck. Positive angles turn the head
-    to its left.
+    The head is level, and the camera sits on the axis of the neck.
+    Positive angles turn the head to its left.
 
     Parameters
     ----------

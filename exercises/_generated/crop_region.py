@@ -7,16 +7,19 @@ import numpy as np
 
 
 def crop_region(points_world, T_world_robot, low, high):
-    """Move a cloud into the frame of the robot and keep what lies in a box.
+    """Move a cloud into the frame of the robot and keep what lies in a
+    box.
 
     Parameters
     ----------
     points_world : ndarray, float64, (N, 3)
         Points in the world, meters.
     T_world_robot : ndarray, float64, (4, 4)
-        Pose of the robot: it maps points of the robot's frame into the world.
+        Pose of the robot: it maps points of the robot's frame into
+        the world.
     low, high : ndarray, float64, (3,)
-        Limits of the box in the robot's frame, (x, y, z), meters, limits included.
+        Limits of the box in the robot's frame, (x, y, z), meters,
+        limits included.
 
     Returns
     -------

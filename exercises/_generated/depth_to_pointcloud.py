@@ -11,8 +11,9 @@ def depth_to_pointcloud(depth_metric, K, rgb_image=None):
 
     Convention
     ----------
-    Points are in the OpenCV camera frame: x right, y down, z forward. Integer (u, v) is a pixel's
-    center. Points keep the order of the pixels, row by row.
+    Points are in the OpenCV camera frame: x right, y down, z forward.
+    Integer (u, v) is a pixel's center. Points keep the order of the
+    pixels, row by row.
 
     Parameters
     ----------
@@ -26,16 +27,16 @@ def depth_to_pointcloud(depth_metric, K, rgb_image=None):
     Returns
     -------
     points : ndarray, float32 or float64, shape (N, 3)
-        Meters; float64 only where float64 depth came in. Pixels whose depth is NaN, infinite,
-        <= 0.01 m or >= 10 m are left out.
+        Meters; float64 only where float64 depth came in. Pixels whose
+        depth is NaN, infinite, <= 0.01 m or >= 10 m are left out.
     colors : ndarray, float32, shape (N, 3), or None
         RGB in [0, 1] of the same pixels; None without `rgb_image`.
 
     Raises
     ------
     TypeError, ValueError
-        If the depth is no image of real numbers, K is no intrinsic matrix, or the pictures differ
-        in size.
+        If the depth is no image of real numbers, K is no intrinsic
+        matrix, or the pictures differ in size.
 
     Examples
     --------

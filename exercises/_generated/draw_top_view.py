@@ -9,10 +9,12 @@ import numpy as np
 def draw_top_view(points_world, colors, low, high, pixels_per_meter):
     """Draw a cloud as a map, seen from straight above.
 
-    The robot looks along x, so x points up in the picture; y points to its left, so y points left.
-    A point at (x, y) falls into row floor((high_x - x) * pixels_per_meter) and column
-    floor((high_y - y) * pixels_per_meter). Of several points in one pixel the highest is seen.
-    Points outside the map are left out; where no point is, the map is black.
+    The robot looks along x, so x points up in the picture; y points
+    to its left, so y points left. A point at (x, y) falls into row
+    floor((high_x - x) * pixels_per_meter) and column floor((high_y -
+    y) * pixels_per_meter). Of several points in one pixel the highest
+    is seen. Points outside the map are left out; where no point is,
+    the map is black.
 
     Parameters
     ----------
@@ -23,7 +25,8 @@ def draw_top_view(points_world, colors, low, high, pixels_per_meter):
     low, high : ndarray, float64, (2,)
         Limits (x, y) of the map, meters.
     pixels_per_meter : int
-        Scale; the map has (high - low) * pixels_per_meter rows and columns, rounded.
+        Scale; the map has (high - low) * pixels_per_meter rows and
+        columns, rounded.
 
     Returns
     -------

@@ -12,7 +12,8 @@ def find_object_centroid(mask):
 
     Convention
     ----------
-    The answer is (x, y): column first, as OpenCV draws. Index an array with ``[y, x]``.
+    The answer is (x, y): column first, as OpenCV draws. Index an
+    array with ``[y, x]``.
 
     Parameters
     ----------
@@ -22,8 +23,9 @@ def find_object_centroid(mask):
     Returns
     -------
     tuple of int, or None
-        Center of mass of the external contour with the largest area, rounded down to whole
-        pixels. None where there is no contour, or the largest has no area (a line, a dot).
+        Center of mass of the external contour with the largest area,
+        rounded down to whole pixels. None where there is no contour,
+        or the largest has no area (a line, a dot).
 
     Raises
     ------

@@ -9,8 +9,9 @@ import numpy as np
 def find_stale_frames(images, pans, noise):
     """Find the pictures of a log that still show the pose before.
 
-    A picture is stale if the neck has moved since the picture before (by more than 0.001 rad), but
-    no value of the picture has changed by more than the noise. The first picture is never stale.
+    A picture is stale if the neck has moved since the picture before
+    (by more than 0.001 rad), but no value of the picture has changed
+    by more than the noise. The first picture is never stale.
 
     Parameters
     ----------

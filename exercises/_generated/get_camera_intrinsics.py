@@ -8,12 +8,14 @@ import numpy as np
 
 
 def get_camera_intrinsics(model, camera_name, width, height):
-    """Compute the intrinsic matrix of a camera of the model for a picture size.
+    """Compute the intrinsic matrix of a camera of the model for a
+    picture size.
 
     Convention
     ----------
-    A camera given by ``sensorsize`` is stretched to the picture: its own ``resolution`` plays no
-    part, so fx and fy differ wherever the sensor and the picture differ in aspect.
+    A camera given by ``sensorsize`` is stretched to the picture: its
+    own ``resolution`` plays no part, so fx and fy differ wherever the
+    sensor and the picture differ in aspect.
 
     Parameters
     ----------
@@ -34,11 +36,13 @@ def get_camera_intrinsics(model, camera_name, width, height):
     Raises
     ------
     ValueError
-        If the model has no such camera, or the camera is orthographic.
+        If the model has no such camera, or the camera is
+        orthographic.
 
     References
     ----------
-    .. [1] MuJoCo documentation, XML reference, element ``camera``: ``fovy``, ``sensorsize``,
+    .. [1] MuJoCo documentation, XML reference, element ``camera``:
+    ``fovy``, ``sensorsize``,
        ``focal``, ``principal``.
     """
     raise NotImplementedError

@@ -7,12 +7,13 @@ import numpy as np
 
 
 def intrinsics_matrix(fov_y, width, height):
-    """Build the intrinsic matrix of an ideal camera from its vertical field of view.
+    """Build the intrinsic matrix of an ideal camera from its vertical
+    field of view.
 
     Convention
     ----------
-    Integer (u, v) is a pixel's center, so the middle of W pixels is at (W-1)/2. Pixels are
-    square: fx = fy.
+    Integer (u, v) is a pixel's center, so the middle of W pixels is
+    at (W-1)/2. Pixels are square: fx = fy.
 
     Parameters
     ----------
@@ -29,7 +30,8 @@ def intrinsics_matrix(fov_y, width, height):
     Raises
     ------
     TypeError, ValueError
-        If `fov_y` is outside (0, pi) or the size is not positive whole numbers.
+        If `fov_y` is outside (0, pi) or the size is not positive
+        whole numbers.
 
     Examples
     --------

@@ -11,22 +11,25 @@ def process_depth(depth_raw, near=0.01, far=10.0):
 
     Convention
     ----------
-    Window depth is 0 at the near plane and 1 at the far plane, and hyperbolic in between: half
-    of its range is spent on the first few centimeters. (MuJoCo draws with *reversed* z inside, 1
-    near and 0 far; pass ``1 - d`` for such a buffer.) `mujoco.Renderer` has done this step
-    already: do not apply it to its depth.
+    Window depth is 0 at the near plane and 1 at the far plane, and
+    hyperbolic in between: half of its range is spent on the first few
+    centimeters. (MuJoCo draws with *reversed* z inside, 1 near and 0
+    far; pass ``1 - d`` for such a buffer.) `mujoco.Renderer` has done
+    this step already: do not apply it to its depth.
 
     Parameters
     ----------
     depth_raw : array-like, real, any shape
-        Window depth; values outside [0, 1] are clipped, NaN stays NaN.
+        Window depth; values outside [0, 1] are clipped, NaN stays
+        NaN.
     near, far : float
         Clip planes in meters, see `get_clip_planes`.
 
     Returns
     -------
     ndarray, float32 or float64, same shape
-        Meters along the optical axis. float64 only where float64 came in.
+        Meters along the optical axis. float64 only where float64 came
+        in.
 
     Raises
     ------
@@ -40,6 +43,7 @@ def process_depth(depth_raw, near=0.01, far=10.0):
 
     References
     ----------
-    .. [1] OpenGL 2.1 reference, ``glFrustum``, with the depth range 0 to 1.
+    .. [1] OpenGL 2.1 reference, ``glFrustum``, with the depth range 0
+    to 1.
     """
     raise NotImplementedError

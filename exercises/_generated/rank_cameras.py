@@ -8,7 +8,8 @@ import numpy as np
 
 
 def rank_cameras(model, data, point_world):
-    """Sort the cameras of a model by their distance from a point, nearest first.
+    """Sort the cameras of a model by their distance from a point,
+    nearest first.
 
     The joints may have moved since positions were last computed.
 

@@ -11,9 +11,11 @@ def render_camera(model, data, renderer, camera_name):
 
     Convention
     ----------
-    The picture shows the *current* ``data.qpos`` (and mocap poses): positions are brought up to
-    date by ``mj_kinematics`` and ``mj_camlight`` first, which change no state. Depth is metric:
-    meters along the optical axis, not along the ray. Pixels that see nothing read the far plane.
+    The picture shows the *current* ``data.qpos`` (and mocap poses):
+    positions are brought up to date by ``mj_kinematics`` and
+    ``mj_camlight`` first, which change no state. Depth is metric:
+    meters along the optical axis, not along the ray. Pixels that see
+    nothing read the far plane.
 
     Parameters
     ----------

@@ -8,13 +8,15 @@ import numpy as np
 
 
 def segment_by_color(rgb_image, target_hsv_range):
-    """Mark the pixels whose color lies in an HSV range, cleaned of specks and holes.
+    """Mark the pixels whose color lies in an HSV range, cleaned of
+    specks and holes.
 
     Convention
     ----------
-    OpenCV's 8-bit HSV: hue 0-179 (degrees halved), saturation and value 0-255. Limits are
-    inclusive. A range whose low hue is larger than its high hue wraps through red: it means
-    ``hue >= low or hue <= high``.
+    OpenCV's 8-bit HSV: hue 0-179 (degrees halved), saturation and
+    value 0-255. Limits are inclusive. A range whose low hue is larger
+    than its high hue wraps through red: it means ``hue >= low or hue
+    <= high``.
 
     Parameters
     ----------
@@ -26,13 +28,15 @@ def segment_by_color(rgb_image, target_hsv_range):
     Returns
     -------
     ndarray, uint8, shape (H, W)
-        255 inside, 0 outside, after opening and then closing with 5x5 ones.
+        255 inside, 0 outside, after opening and then closing with 5x5
+        ones.
 
     Raises
     ------
     TypeError, ValueError
-        If the picture is not uint8 RGB, or the range is not two triples within OpenCV's limits
-        with low <= high for saturation and value.
+        If the picture is not uint8 RGB, or the range is not two
+        triples within OpenCV's limits with low <= high for saturation
+        and value.
 
     References
     ----------

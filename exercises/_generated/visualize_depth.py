@@ -20,12 +20,14 @@ def visualize_depth(depth_metric, max_depth=5.0):
     Returns
     -------
     ndarray, uint8, shape (H, W, 3)
-        **BGR**, ready for ``cv2.imwrite``. Black where the depth is NaN, infinite or <= 0: black
-        is in no color map, so it cannot be taken for a distance.
+        **BGR**, ready for ``cv2.imwrite``. Black where the depth is
+        NaN, infinite or <= 0: black is in no color map, so it cannot
+        be taken for a distance.
 
     Raises
     ------
     TypeError, ValueError
-        If the depth is no image of real numbers, or `max_depth` is not positive.
+        If the depth is no image of real numbers, or `max_depth` is
+        not positive.
     """
     raise NotImplementedError

@@ -12,20 +12,25 @@ def which_camera(points, pixels, fovs, width, height):
     Parameters
     ----------
     points : ndarray, float64, (N, 3)
-        Points in the camera frame (x right, y down, z forward), meters, all in front.
+        Points in the camera frame (x right, y down, z forward),
+        meters, all in front.
     pixels : ndarray, float64, (N, 2)
-        Where the points were found in the picture, (u, v), with a little noise.
+        Where the points were found in the picture, (u, v), with a
+        little noise.
     fovs : ndarray, float64, (C,)
-        Vertical fields of view of the C cameras in question, radians; pixels are square and the
-        principal point is the middle of the picture.
+        Vertical fields of view of the C cameras in question, radians;
+        pixels are square and the principal point is the middle of the
+        picture.
     width, height : int
         Size of the picture, pixels.
 
     Returns
     -------
     camera : int
-        Number of the camera that explains the pixels best, counted from 0.
+        Number of the camera that explains the pixels best, counted
+        from 0.
     error_px : float
-        For that camera, the mean distance between projected and found pixels.
+        For that camera, the mean distance between projected and found
+        pixels.
     """
     raise NotImplementedError

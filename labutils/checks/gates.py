@@ -149,7 +149,8 @@ def _check_shape(
         ndim, words = _DIMENSIONS[part.kind]
         if y.ndim == ndim and y.shape[1:] == x.shape[1:] and part.kind in _SELECTIONS:
             many = "too many" if len(y) > len(x) else "too few"
-            text = f"{part.name} has {many} rows ({len(y)}): what is kept is not right."
+            things = "entries" if ndim == 1 else "rows"
+            text = f"{part.name} has {many} {things} ({len(y)}): what is kept is not right."
         else:
             text = f"{part.name} has shape {y.shape}; due is {words}."
         return Failure("shape", text, index, number)

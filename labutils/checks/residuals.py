@@ -104,11 +104,9 @@ def _describe_rows(part: Part, expected: np.ndarray, yours: np.ndarray, wrong: n
         count = np.count_nonzero(wrong[:, axis])
         typical = f", typically by {_round(np.median(finite))}{unit}" if len(finite) > 1 else ""
         where = f"{count} of {len(wrong)}"
-        texts.append(
-            f"{where} values{typical}"
-            if part.kind == "list"
-            else f"{columns[int(axis)]} in {where} rows{typical}"
-        )
+        if part.kind == "list":
+            return f"{where} values of {part.name} are off{typical}."
+        texts.append(f"{columns[int(axis)]} in {where} rows{typical}")
     return f"{part.name}: off are {'; '.join(texts)}."
 
 
