@@ -20,7 +20,7 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: ## install what is needed (every other target does it by itself)
-	@$(PYTHON) tools/setup_env.py
+	@$(PYTHON) -u tools/setup_env.py
 
 book: setup ## execute every chapter and build the pages (EDITION=instructor: with solutions)
 	@$(RUN) tools/build_book.py
@@ -29,7 +29,7 @@ serve: book ## build the pages and serve them at http://localhost:8000
 	@$(RUN) -m http.server --bind 127.0.0.1 --directory _build/html 8000
 
 lab: setup ## open the chapters as notebooks in JupyterLab
-	@$(RUN) -m jupyter lab book
+	@$(RUN) -m jupyter lab --ServerApp.default_url=/lab/tree/book
 
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs

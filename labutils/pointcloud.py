@@ -68,17 +68,14 @@ def depth_to_pointcloud(
     K = check_intrinsics(K)
     dtype = np.float64 if depth.dtype == np.float64 else np.float32
     depth = np.ascontiguousarray(depth, dtype=dtype)
-    height, width = depth.shape
     rgb = None
     if rgb_image is not None:
         rgb = np.ascontiguousarray(check_rgb_image("rgb_image", rgb_image))
-        if rgb.shape[:2] != (height, width):
+        if rgb.shape[:2] != depth.shape:
             raise ValueError(
                 f"rgb_image: expected the depth image's size {depth.shape}, got {rgb.shape[:2]}"
             )
-    slope_x = ((np.arange(width) - K[0, 2]) / K[0, 0]).astype(dtype)  # W
-    slope_y = ((np.arange(height) - K[1, 2]) / K[1, 1]).astype(dtype)  # H
-    return back_project(depth, slope_x, slope_y, rgb)
+    return back_project(depth, K, rgb)
 
 
 def pixels_to_points(pixels: np.ndarray, depth: np.ndarray, K: np.ndarray) -> np.ndarray:

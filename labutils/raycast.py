@@ -98,7 +98,7 @@ def get_pixel_rays(
     Raises
     ------
     ValueError
-        If the model has no such camera.
+        If the model has no such camera, or the state was never forwarded.
     """
     width, height = check_image_size(width, height)
     K, _ = get_camera_intrinsics(model, camera_name, width, height)
@@ -107,6 +107,10 @@ def get_pixel_rays(
         [(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], np.ones(u.shape)], axis=-1
     )  # HxWx3
     camera_id = get_camera_id(model, camera_name)
+    if not data.cam_xmat[camera_id].any():
+        raise ValueError(
+            "data: expected a forwarded state, got one in which the camera has no direction"
+        )
     rotation_world_cv = data.cam_xmat[camera_id].reshape(3, 3) @ FLIP_YZ
     return rays_cam @ rotation_world_cv.T
 
@@ -187,6 +191,12 @@ class RaycastRenderer:
                 "scene_option: the ray caster draws with MuJoCo's default options only"
             )
         name = camera if isinstance(camera, str) else _get_camera_name(self.model, camera)
+        if not data.cam_xmat[get_camera_id(self.model, name)].any():
+            # A state that was never forwarded: OpenGL draws nothing but sky then, and so do we.
+            shape = (self.height, self.width)
+            nothing = np.full(shape, np.nan), np.full(shape, -1), np.zeros((*shape, 3))
+            self._frame = (*nothing, np.ones((*shape, 3)))
+            return
         rays = get_pixel_rays(self.model, data, name, self.width, self.height)
         self._frame = (*_cast(self.model, data, name, self.width, self.height), rays)
 

@@ -27,7 +27,7 @@ _SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
 _USERS_CHOICE = "MUJOCO_GL switches OpenGL off"
 
 _INSTALL_HINTS = {
-    "linux": "sudo apt-get install libegl1 libgl1-mesa-dri",
+    "linux": "sudo apt-get install libegl1 libgl1-mesa-dri libopengl0",
     "darwin": "no package is missing on macOS: unset MUJOCO_GL and start Python again",
     "win32": "install the driver of your graphics card and unset MUJOCO_GL",
 }
@@ -43,7 +43,7 @@ def choose_gl_backend() -> str:
     Convention
     ----------
     A user's own setting always wins. On Linux without a screen the choice is ``egl``, which draws
-    off screen. Where not even the EGL library is installed the choice is ``disable``: MuJoCo then
+    off screen. Where its libraries are not installed the choice is ``disable``: MuJoCo then
     imports cleanly, and `make_renderer` hands out the ray caster.
 
     Returns
@@ -56,14 +56,24 @@ def choose_gl_backend() -> str:
     has_screen = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
     if not chosen and sys.platform.startswith("linux") and not has_screen:
         chosen = "egl"
-    if chosen == "egl" and ctypes.util.find_library("EGL") is None:
-        # With "egl" and no library, `import mujoco` itself stops with an AttributeError.
-        os.environ["LABUTILS_GL_MISSING"] = "the library libEGL.so.1 is not installed"
+    missing = _find_missing_libraries() if chosen == "egl" else []
+    if missing:
+        # With "egl" and without these, `import mujoco` itself stops with an obscure error.
+        os.environ["LABUTILS_GL_MISSING"] = f"not installed: {', '.join(missing)}"
         chosen = "disable"
     if chosen:
         os.environ["MUJOCO_GL"] = chosen
         _tell_mujoco()
     return chosen
+
+
+def _find_missing_libraries() -> list[str]:
+    """List the libraries that MuJoCo's EGL backend needs and this machine lacks."""
+    found = {name: ctypes.util.find_library(name) for name in ("EGL", "OpenGL", "GLESv2")}
+    missing = [] if found["EGL"] else ["libEGL.so.1"]
+    if not (found["OpenGL"] or found["GLESv2"]):  # PyOpenGL takes the one that is there
+        missing.append("libOpenGL.so.0")
+    return missing
 
 
 def _tell_mujoco() -> None:

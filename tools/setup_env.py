@@ -95,8 +95,9 @@ def is_installed(package: str) -> bool:
 def install_python_packages() -> None:
     """Make the virtual environment and fill it with exactly the locked packages."""
     python = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    print("setup: making the virtual environment .venv")
-    venv.create(VENV, with_pip=True, clear=STAMP.exists() and not python.exists())
+    if not python.exists():
+        print("setup: making the virtual environment .venv")
+        venv.create(VENV, with_pip=True, clear=True, symlinks=os.name != "nt")
     lock = (ROOT / "requirements.txt").read_text(encoding="utf-8")
     # uv installs ten times as fast as pip; pip fetches uv itself, by the same locked hashes.
     uv_lines = re.search(r"^uv==.*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)

@@ -37,7 +37,8 @@ def test_cloud_equals_the_formula_pixel_by_pixel(K, shape, holes):
     assert points.shape == (len(z), 3)
     # Two float32 roundings of a slope and a product.
     assert_allclose(points, expected, rtol=4 * FLOAT32_RTOL, atol=1e-7)
-    assert_array_equal(colors, (rgb[v, u] / 255).astype(np.float32))
+    assert_allclose(colors, rgb[v, u] / 255, rtol=2 * FLOAT32_RTOL)
+    assert colors.max(initial=0) <= 1
 
 
 def test_what_is_no_surface_is_left_out(K):
@@ -66,6 +67,13 @@ def test_points_are_float32_unless_float64_came_in(K, given, returned):
     points, colors = depth_to_pointcloud(np.ones((3, 4), given), K, np.zeros((3, 4, 3), np.uint8))
     assert points.dtype == returned
     assert colors.dtype == np.float32
+
+
+@pytest.mark.parametrize("value", [0, 1, 254, 255])
+def test_a_picture_of_one_color_keeps_it(K, value):
+    rgb = np.full((5, 6, 3), value, np.uint8)
+    _, colors = depth_to_pointcloud(np.ones((5, 6)), K, rgb)
+    assert_allclose(colors, value / 255, rtol=2 * FLOAT32_RTOL)
 
 
 def test_strided_and_listed_input_is_accepted(K):

@@ -171,6 +171,16 @@ def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(scene):
         renderer.render()
 
 
+@pytest.mark.parametrize("make", [make_renderer, RaycastRenderer])
+def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(scene, make):
+    model, _ = scene
+    with make(model, 24, 32) as renderer:
+        renderer.update_scene(mujoco.MjData(model), camera="head_camera")
+        assert renderer.render().shape == (24, 32, 3)
+        renderer.enable_depth_rendering()
+        assert_allclose(renderer.render(), 12.0, rtol=1e-4)
+
+
 def test_an_empty_model_is_all_sky_for_the_ray_caster():
     model = mujoco.MjModel.from_xml_string(
         "<mujoco><worldbody><camera name='c'/></worldbody></mujoco>"
@@ -186,14 +196,14 @@ def test_an_empty_model_is_all_sky_for_the_ray_caster():
 def test_headless_linux_chooses_egl_and_a_users_choice_wins():
     code = "import labutils, os; print(os.environ.get('MUJOCO_GL'))"
     if sys.platform.startswith("linux"):
-        expected = "egl" if rendering.ctypes.util.find_library("EGL") else "disable"
+        expected = "disable" if rendering._find_missing_libraries() else "egl"
         assert run_python(code).stdout.strip() == expected
     assert run_python(code, MUJOCO_GL="disable").stdout.strip() == "disable"
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(
-    not sys.platform.startswith("linux") or rendering.ctypes.util.find_library("EGL") is None,
+    not sys.platform.startswith("linux") or bool(rendering._find_missing_libraries()),
     reason="only EGL, on Linux, draws without a screen",
 )
 def test_mujoco_may_be_imported_before_the_library():
@@ -211,17 +221,23 @@ print(type(renderer).__module__, render_raw_depth(model, data, renderer, 'head_c
 
 
 @pytest.mark.slow
-def test_without_the_egl_library_mujoco_still_imports_and_draws_with_rays():
-    code = """
+@pytest.mark.parametrize(
+    ("gone", "named"), [("EGL", "libEGL.so.1"), ("OpenGL GLESv2", "libOpenGL.so.0")]
+)
+@pytest.mark.parametrize("first", ["import mujoco", ""])
+def test_without_its_libraries_mujoco_still_imports_and_draws_with_rays(gone, named, first):
+    code = f"""
 import ctypes.util
-ctypes.util.find_library = lambda name: None
+find = ctypes.util.find_library
+ctypes.util.find_library = lambda name: None if name in {gone.split()} else find(name)
+{first}
 from labutils import make_renderer, make_scene
 model, data = make_scene()
 print(type(make_renderer(model, 24, 32)).__name__)
 """
-    done = run_python(code, MUJOCO_GL="egl")
+    done = run_python(code, MUJOCO_GL="" if first else "egl")
     assert done.stdout.strip() == "RaycastRenderer", done.stderr
-    assert "libEGL.so.1 is not installed" in done.stderr
+    assert f"not installed: {named}" in done.stderr
 
 
 @pytest.mark.slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -114,6 +115,12 @@ def test_ray_caster_sees_only_what_mujoco_draws(scene):
         _, drawn = render_camera(model, data, renderer, "head_camera")
     assert np.nanmax(after - before) > 0.1
     assert np.nanmedian(np.abs(after - drawn)) < 1e-4
+
+
+def test_a_state_that_was_never_forwarded_is_refused(scene):
+    model, _ = scene
+    with pytest.raises(ValueError, match="data: expected a forwarded state"):
+        raycast_depth(model, mujoco.MjData(model), "head_camera", 8, 6)
 
 
 def test_one_pixel_and_one_row_are_pictures_too(scene):
