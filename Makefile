@@ -9,9 +9,12 @@ BIN := $(VENV)/bin
 endif
 RUN := $(BIN)/python
 export PYTHONHASHSEED := 0
+# student (no solution in it) or instructor; `make book EDITION=instructor`
+EDITION ?= student
+export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs test lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises student test lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -19,17 +22,24 @@ help: ## list the targets
 setup: ## install what is needed (every other target does it by itself)
 	@$(PYTHON) -u tools/setup_env.py
 
-book: setup ## execute every chapter and build the pages
+book: setup ## execute every chapter and build the pages (EDITION=instructor: with solutions)
 	@$(RUN) tools/build_book.py
 
 serve: book ## build the pages and serve them at http://localhost:8000
 	@$(RUN) -m http.server --bind 127.0.0.1 --directory _build/html 8000
 
 lab: setup ## open the chapters as notebooks in JupyterLab
-	@$(RUN) -m jupyter lab book
+	@$(RUN) -m jupyter lab --ServerApp.default_url=/lab/tree/book
 
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
+
+exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
+	@$(RUN) tools/make_exercises.py
+	@$(RUN) tools/make_objectives.py
+
+student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
+	@$(RUN) tools/make_student.py
 
 test: setup ## run all tests, and every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
@@ -53,4 +63,4 @@ lock: setup ## write requirements.txt anew from requirements.in
 		--generate-hashes --no-annotate --no-header --quiet -o requirements.txt
 
 clean: ## remove everything `make` built, the virtual environment too
-	@rm -rf _build outputs $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache
+	@rm -rf _build outputs solutions/pages $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache

@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from labutils._constants import HSV_RANGES, MAX_DEPTH, MIN_DEPTH
+from labutils.checks import check, hint, report
 from labutils.color_segmentation import (
     find_object_centroid,
     segment_by_color,
@@ -93,12 +94,14 @@ __all__ = [
     "MIN_DEPTH",
     "NoOpenGLWarning",
     "camera_to_world",
+    "check",
     "depth_to_pointcloud",
     "find_object_centroid",
     "find_valid_depth",
     "get_camera_intrinsics",
     "get_camera_pose",
     "get_clip_planes",
+    "hint",
     "intrinsics_matrix",
     "is_gl_available",
     "make_renderer",
@@ -112,6 +115,7 @@ __all__ = [
     "render_camera",
     "render_raw_depth",
     "render_segmentation",
+    "report",
     "save_depth_view",
     "save_detection_result",
     "save_outputs",

@@ -86,6 +86,13 @@ def test_every_style_sheet_is_loaded(config):
     assert sheets == set(config["sphinx"]["config"]["html_css_files"])
 
 
+def test_every_script_is_loaded(config):
+    scripts = {path.name for path in (ROOT / "book" / "_static").glob("*.js")}
+    options = config["sphinx"]["config"]
+    named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
+    assert scripts <= named
+
+
 def test_strip_marks_the_page_and_links_the_others(monkeypatch):
     strip = load("book/_ext/progress_strip.py", monkeypatch)
     pages = {page for _, page in strip.STAGES} - {"book/step6_view"}
@@ -167,23 +174,22 @@ def test_a_failed_build_shows_its_reason(log, expected, unwanted, monkeypatch):
 
 def test_a_change_of_the_library_empties_the_execution_cache(tmp_path, monkeypatch):
     build = load("tools/build_book.py", monkeypatch)
-    for name, value in (("ROOT", tmp_path), ("BUILD", tmp_path / "_build")):
-        monkeypatch.setattr(build, name, value)
-    monkeypatch.setattr(build, "STAMPS", tmp_path / "_build" / "stamps.json")
+    monkeypatch.setattr(build, "ROOT", tmp_path)
+    edition = build.EDITIONS["student"]
     for name in (*build.CELL_SOURCES, *build.PAGE_SOURCES):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text("before")
     cache = tmp_path / "_build" / ".jupyter_cache"
     cache.mkdir(parents=True)
-    build._forget_what_changed()
+    build._forget_what_changed(edition)
     assert not cache.exists()  # outputs of unknown age are not trusted
 
     cache.mkdir()
-    build._forget_what_changed()
+    build._forget_what_changed(edition)
     assert cache.exists()
     (tmp_path / "_config.yml").write_text("after")
-    build._forget_what_changed()
+    build._forget_what_changed(edition)
     assert cache.exists()
     (tmp_path / "labutils").write_text("after")
-    build._forget_what_changed()
+    build._forget_what_changed(edition)
     assert not cache.exists()

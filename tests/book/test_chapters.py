@@ -12,7 +12,7 @@ from tests.helpers.chapters import ROOT, convert, get_executable_pages, run_note
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("page", get_executable_pages(), ids=lambda page: page.name)
+@pytest.mark.parametrize("page", get_executable_pages(), ids=str)
 def test_chapter_runs_as_a_notebook_and_repeats_its_checked_numbers(
     page, tmp_path, record_property
 ):

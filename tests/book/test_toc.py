@@ -7,9 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from solutions import load_exercises
 from tests.helpers.chapters import ROOT, find_orphans, find_pages, get_toc_pages
 
-STEPS = [page for page in get_toc_pages() if page.name.startswith("step")]
+STEPS = [page for page in get_toc_pages() if page.match("book/step*")]
+EXERCISES = [page for page in get_toc_pages() if page.parts[0] == "exercises"]
+STARTER = r"^```\{code-cell\}[^\n]*\n:tags: \[exercise\]\n.*?^```$"
 PAGES = find_pages()
 
 
@@ -76,14 +79,50 @@ def test_steps_have_the_sections_of_the_anatomy_in_order(page):
         "Where we are",
         "Set up",
         "Expected result",
+        "Check your understanding",
+        "Exercises",
         "Common errors",
         "Recap",
         "New words",
         "Further reading",
     ]
     assert [h for h in headings if h in fixed] == fixed
-    ideas = [h for h in headings if h not in {*fixed, "Exercises"}]
+    ideas = [h for h in headings if h not in fixed]
     assert 1 <= len(ideas) <= 3
+
+
+@pytest.mark.parametrize("page", STEPS, ids=str)
+def test_every_step_has_its_exercise_page_and_leads_to_it(page):
+    assert Path("exercises", page.name) in EXERCISES
+    _, _, tail = read(page).partition("\n## Exercises\n")
+    section, _, _ = tail.partition("\n## ")
+    cards = [one for one in load_exercises().values() if one.chapter == page.name]
+    assert cards
+    assert f"(../exercises/{page.name}.md)" in section
+    for card in cards:
+        points = "" if card.is_challenge else f" ({card.points} points)"
+        assert f"`{card.name} <exercise-{card.name.replace('_', '-')}>`{points}" in section
+
+
+@pytest.mark.parametrize("page", EXERCISES, ids=str)
+def test_exercise_pages_state_start_check_and_hint_each_exercise(page):
+    text = read(page)
+    cards = [one for one in load_exercises().values() if one.chapter == page.name]
+    for card in cards:
+        label = f"(exercise-{card.name.replace('_', '-')})=\n## "
+        _, _, tail = text.partition(label)
+        section, _, _ = tail.partition("\n(exercise-")
+        starter = (ROOT / "exercises/_generated" / f"{card.name}.py").read_text(encoding="utf-8")
+        code = starter.split('"""\n\n', 1)[1].strip()
+        assert f":tags: [exercise]\n{code}\n```" in section
+        assert f'\ncheck("{card.name}", {card.name})\n' in section
+        assert f'hint("{card.name}")' in section
+        statement, _, _ = section.partition("<!-- begin exercise")
+        assert len(statement.split()) > 40
+        assert f"{card.name}(" in statement  # an example call
+        for hint in card.hints:
+            assert hint not in text  # hints are asked for, and counted
+    assert text.count(":tags: [exercise]") == len(cards)
 
 
 @pytest.mark.parametrize("page", STEPS, ids=str)
@@ -96,8 +135,9 @@ def test_steps_ask_before_they_show_and_check_against_the_truth(page):
 
 @pytest.mark.parametrize("page", PAGES, ids=str)
 def test_pages_and_their_cells_stay_short(page):
-    text = read(page)
-    # Front matter, alt texts and captions do not count: nobody should save on those.
+    # Starters are written by a tool. Front matter, alt texts and captions do not count either:
+    # nobody should save on those.
+    text = re.sub(STARTER, "", read(page), flags=re.DOTALL | re.MULTILINE)
     seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
     assert len(seen.splitlines()) <= 350
     for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
@@ -111,7 +151,8 @@ def test_pages_and_their_cells_stay_short(page):
 @pytest.mark.parametrize("page", PAGES, ids=str)
 def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
     allowed = {"labutils", "numpy", "cv2", "mujoco", "open3d"}
-    for cell in re.findall(r"^```\{code-cell\}.*?^```$", read(page), re.DOTALL | re.MULTILINE):
+    text = re.sub(r'""".*?"""', "", read(page), flags=re.DOTALL)  # docstrings of the starters
+    for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
         for name in re.findall(r"^\s*(?:from|import) (\w+)", cell, re.MULTILINE):
             standard = name in {
                 "pathlib",

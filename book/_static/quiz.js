@@ -1,0 +1,151 @@
+// Lets the questions of a page answer. Without this script they can be read, and their
+// answers unfolded. The reader's answers stay in this browser:
+//
+//   localStorage["camera-lab-book"] = {"version": 1, "quiz": {"2a": {"choice": 1, "right": true}}}
+//
+// Other parts of the book may keep their own entries beside "quiz".
+(function () {
+  const KEY = "camera-lab-book";
+  const VERSION = 1;
+
+  /** What is stored, or an empty record; null where it cannot be used or is of another version. */
+  function load() {
+    try {
+      const text = localStorage.getItem(KEY);
+      if (text === null) return { version: VERSION, quiz: {} };
+      const record = JSON.parse(text);
+      if (record?.version !== VERSION) return null;
+      if (typeof record.quiz !== "object" || record.quiz === null) record.quiz = {};
+      return record;
+    } catch {
+      return null; // storage is switched off, or holds something that is not ours
+    }
+  }
+
+  /** Change the stored answers; where that is impossible the page works on without memory. */
+  function update(change) {
+    const record = load();
+    if (!record) return;
+    change(record.quiz);
+    try {
+      localStorage.setItem(KEY, JSON.stringify(record));
+    } catch {
+      // full or switched off
+    }
+  }
+
+  /** The parts of one question. */
+  function find(form) {
+    return {
+      form,
+      id: form.dataset.quiz,
+      right: Number(form.dataset.right),
+      inputs: [...form.querySelectorAll("input")],
+      button: form.querySelector("button"),
+      feedback: form.querySelector(".quiz-feedback"),
+      answers: form.querySelector(".quiz-answers"),
+    };
+  }
+
+  function choiceOf(item) {
+    return item.inputs.findIndex((input) => input.checked);
+  }
+
+  function clear(item) {
+    item.feedback.replaceChildren();
+    delete item.form.dataset.verdict;
+  }
+
+  /** Show what there is to say about a choice, and where to read again. */
+  function show(item, choice) {
+    const said = item.answers.querySelector(`[data-choice="${choice}"]`);
+    const again = item.answers.querySelector(".quiz-again");
+    const isRight = choice === item.right;
+    item.feedback.replaceChildren(...(isRight ? [said] : [said, again]).map((p) => p.cloneNode(true)));
+    item.form.dataset.verdict = isRight ? "right" : "wrong";
+  }
+
+  function check(item, summary) {
+    const choice = choiceOf(item);
+    if (choice < 0) {
+      const request = document.createElement("p");
+      request.textContent = "Choose an answer first.";
+      item.feedback.replaceChildren(request);
+      return;
+    }
+    show(item, choice);
+    update((quiz) => (quiz[item.id] = { choice, right: choice === item.right }));
+    summary.draw();
+  }
+
+  /** Bring back an earlier answer, unless the question has changed since. */
+  function restore(item, stored) {
+    const input = item.inputs[stored?.choice];
+    if (!input || stored.right !== (stored.choice === item.right)) return;
+    input.checked = true;
+    show(item, stored.choice);
+  }
+
+  /** The line below the questions: how many are right, and a way to start over. */
+  function makeSummary(items) {
+    const element = document.createElement("p");
+    element.className = "quiz-summary";
+    const count = document.createElement("span");
+    count.setAttribute("role", "status");
+    const again = document.createElement("button");
+    again.type = "button";
+    again.textContent = "Start over";
+    element.append(count, " ", again);
+
+    function draw() {
+      const rights = items.filter((item) => item.form.dataset.verdict === "right").length;
+      const answered = items.some((item) => item.form.dataset.verdict);
+      count.textContent = `${rights} of ${items.length} right`;
+      again.disabled = !answered;
+    }
+    again.addEventListener("click", () => {
+      update((quiz) => items.forEach((item) => delete quiz[item.id]));
+      for (const item of items) {
+        item.form.reset();
+        clear(item);
+      }
+      draw();
+      items[0].inputs[0].focus(); // the button that had the focus is disabled now
+    });
+    return { element, draw };
+  }
+
+  function start(quiz) {
+    const items = [...quiz.querySelectorAll(".quiz-item")].map(find);
+    const summary = makeSummary(items);
+    quiz.append(summary.element);
+    for (const item of items) {
+      item.answers.hidden = true;
+      item.button.hidden = false;
+      item.form.addEventListener("submit", (event) => {
+        event.preventDefault();
+        check(item, summary);
+      });
+      item.form.addEventListener("change", () => {
+        clear(item);
+        summary.draw();
+      });
+    }
+    const stored = load()?.quiz ?? {};
+    for (const item of items) {
+      item.form.reset(); // a browser may bring back a choice without its feedback
+      restore(item, stored[item.id]);
+    }
+    summary.draw();
+  }
+
+  function startAll() {
+    for (const quiz of document.querySelectorAll(".quiz")) start(quiz);
+  }
+
+  // Formulas are copied from the answers to the feedback, so they have to be typeset first.
+  document.addEventListener("DOMContentLoaded", () => {
+    const typeset = window.MathJax?.startup?.promise ?? Promise.resolve();
+    typeset.then(startAll, startAll);
+  });
+})();

@@ -1,0 +1,35 @@
+"""Starter of the exercise find_object_centroid.
+
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
+
+import cv2
+import numpy as np
+
+
+def find_object_centroid(mask):
+    """Find the center of the largest object in a mask.
+
+    Convention
+    ----------
+    The answer is (x, y): column first, as OpenCV draws. Index an
+    array with ``[y, x]``.
+
+    Parameters
+    ----------
+    mask : array-like, uint8 or bool, shape (H, W)
+        Anything not zero is inside.
+
+    Returns
+    -------
+    tuple of int, or None
+        Center of mass of the external contour with the largest area,
+        rounded down to whole pixels. None where there is no contour,
+        or the largest has no area (a line, a dot).
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `mask` is not a uint8 or bool image of one channel.
+    """
+    raise NotImplementedError

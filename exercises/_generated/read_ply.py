@@ -1,0 +1,33 @@
+"""Starter of the exercise read_ply.
+
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
+
+import numpy as np
+
+
+def read_ply(text):
+    """Read points and colors from the text of an ASCII PLY file.
+
+    The header ends with the line ``end_header``. Its line ``element
+    vertex N`` says that the first N lines after the header hold one
+    point each, with one number per ``property`` line that follows
+    ``element vertex``, in that order. Points have x, y and z, and
+    either red, green and blue (0 to 255) or none of the three, in any
+    order among other properties. There may be ``comment`` lines, and
+    other elements after the vertices.
+
+    Parameters
+    ----------
+    text : str
+        The whole file.
+
+    Returns
+    -------
+    points : ndarray, float64, (N, 3)
+        x, y, z.
+    colors : ndarray, float64, (N, 3), or None
+        Red, green, blue from 0 to 1, or None where the file has no
+        colors.
+    """
+    raise NotImplementedError

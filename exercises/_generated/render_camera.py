@@ -1,0 +1,45 @@
+"""Starter of the exercise render_camera.
+
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
+
+import mujoco
+
+
+def render_camera(model, data, renderer, camera_name):
+    """Render color and depth from a named camera.
+
+    Convention
+    ----------
+    The picture shows the *current* ``data.qpos`` (and mocap poses):
+    positions are brought up to date by ``mj_kinematics`` and
+    ``mj_camlight`` first, which change no state. Depth is metric:
+    meters along the optical axis, not along the ray. Pixels that see
+    nothing read the far plane.
+
+    Parameters
+    ----------
+    model, data : mujoco.MjModel, mujoco.MjData
+        The scene and its state.
+    renderer : mujoco.Renderer or RaycastRenderer
+        From `make_renderer`; its size is the picture size.
+    camera_name : str
+        Name of a camera of the model.
+
+    Returns
+    -------
+    rgb : ndarray, uint8, shape (H, W, 3)
+        The color picture. The renderer is left in color mode.
+    depth : ndarray, float32, shape (H, W)
+        Meters.
+
+    Raises
+    ------
+    ValueError
+        If the model has no such camera.
+
+    References
+    ----------
+    .. [1] MuJoCo documentation, Python bindings, ``mujoco.Renderer``.
+    """
+    raise NotImplementedError

@@ -1,0 +1,33 @@
+"""Starter of the exercise visualize_depth.
+
+Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+"""
+
+import cv2
+import numpy as np
+
+
+def visualize_depth(depth_metric, max_depth=5.0):
+    """Color a depth image: blue close, red far.
+
+    Parameters
+    ----------
+    depth_metric : array-like, real, shape (H, W)
+        Meters.
+    max_depth : float
+        Everything at or beyond this is the reddest red.
+
+    Returns
+    -------
+    ndarray, uint8, shape (H, W, 3)
+        **BGR**, ready for ``cv2.imwrite``. Black where the depth is
+        NaN, infinite or <= 0: black is in no color map, so it cannot
+        be taken for a distance.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the depth is no image of real numbers, or `max_depth` is
+        not positive.
+    """
+    raise NotImplementedError

@@ -1,0 +1,151 @@
+"""Call a learner's function on the cases of an exercise, and keep the checker out of its reach."""
+
+from __future__ import annotations
+
+import inspect
+import linecache
+import traceback
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
+
+Function = Callable[..., Any]
+
+#: Text of an exception is cut here: a message has to stay readable.
+_TEXT_LIMIT = 160
+
+
+def collect_answers(table: CheckTable, function: Function) -> tuple[Outcome, ...]:
+    """Call the function once per case.
+
+    Every call gets its own copy of the arguments: a function that writes into its input, or keeps
+    it, changes no other case.
+    """
+    return tuple(call_once(table.parts, case, function) for case in table.cases)
+
+
+def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcome:
+    """Call the function on a fresh copy of one case and take its answer apart."""
+    args, observers = prepare_arguments(case.args)
+    try:
+        # Warnings about NaN and zero are expected on invalid pixels: they are not the verdict.
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            output = function(*args)
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a learner's code raises
+        return describe_error(error, function)
+    seen = tuple(observe() for observe in observers)
+    return split_answer(parts, output, seen)
+
+
+def prepare_arguments(
+    args: tuple[Any, ...],
+) -> tuple[tuple[Any, ...], tuple[Callable[[], Any], ...]]:
+    """Copy the arguments; return them and what to look at after the call."""
+    prepared: list[Any] = []
+    observers: tuple[Callable[[], Any], ...] = ()
+    for value in args:
+        if isinstance(value, Scene):
+            # MuJoCo is imported here, because every other exercise runs without it.
+            from labutils.checks.scenes import make_scene_arguments  # noqa: PLC0415
+
+            made, observers = make_scene_arguments(value)
+            prepared.extend(made)
+        else:
+            prepared.append(value.copy() if isinstance(value, np.ndarray) else value)
+    return tuple(prepared), observers
+
+
+def split_answer(parts: tuple[Part, ...], output: Any, seen: tuple[Any, ...]) -> Outcome:
+    """Turn what came back into one array (or None) per part."""
+    returned = len(parts) - len(seen)
+    if returned == 1:
+        values: tuple[Any, ...] = (output,)
+    elif isinstance(output, tuple | list) and len(output) == returned:
+        values = tuple(output)
+    else:
+        wanted = ", ".join(part.name for part in parts[:returned])
+        return Misfit(f"expected {returned} things ({wanted}), yours is {describe(output)}")
+    try:
+        pairs = zip(parts, (*values, *seen), strict=True)
+        return tuple(None if value is None else _read_part(part, value) for part, value in pairs)
+    except TypeError as error:
+        return Misfit(str(error))
+
+
+def _read_part(part: Part, value: Any) -> np.ndarray:
+    """Read one part; a list of whole numbers has no dtype, so it takes the one that is due."""
+    array = to_array(value, with_texts=part.dtype == "str")
+    if isinstance(value, tuple | list) and array.dtype.kind in "iu":
+        if part.dtype == "float":
+            return array.astype(np.float64)
+        if part.dtype == "uint8" and ((array >= 0) & (array <= 255)).all():
+            return array.astype(np.uint8)
+    return array
+
+
+def to_array(value: Any, *, with_texts: bool = False) -> np.ndarray:
+    """Read numbers, tuples, lists and arrays as an array, or raise TypeError."""
+    try:
+        array = np.array(value)
+    except Exception as error:
+        raise TypeError(f"expected numbers, yours is {describe(value)}") from error
+    if array.dtype.kind not in ("biufU" if with_texts else "biuf"):
+        raise TypeError(f"expected numbers, yours is {describe(value)}")
+    return array
+
+
+def describe(value: Any) -> str:
+    """Name what came back, in words a learner uses."""
+    if value is None:
+        return "None"
+    if value is Ellipsis:
+        return "..."
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape}"
+    if isinstance(value, tuple | list):
+        return f"a {type(value).__name__} of {len(value)}"
+    return f"a {type(value).__name__}"
+
+
+def describe_error(error: BaseException, function: Function) -> Raised:
+    """Keep an exception as words: its kind, its first line, and where the learner's code was."""
+    text = (str(error).strip().splitlines() or [""])[0]
+    if len(text) > _TEXT_LIMIT:
+        text = text[: _TEXT_LIMIT - 3] + "..."
+    kinds = tuple(kind.__name__ for kind in type(error).__mro__)
+    return Raised(type(error).__name__, text, _find_learner_line(error, function), kinds)
+
+
+def _find_learner_line(error: BaseException, function: Function) -> str:
+    """Return "line n: source" of the deepest line in the file or cell of the function."""
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    if code is None:
+        return ""
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename == code.co_filename]
+    if not own or own[-1].lineno is None:
+        return ""
+    source = linecache.getline(own[-1].filename, own[-1].lineno).strip()[:_TEXT_LIMIT]
+    return f"line {own[-1].lineno}: {source}" if source else f"line {own[-1].lineno}"
+
+
+def find_call_problem(table: CheckTable, function: Any) -> str:
+    """Say why the function cannot be called with the arguments of the exercise, or ""."""
+    if function is None:
+        return f"Pass your function as well: check({table.name!r}, {table.name})."
+    if not callable(function):
+        return (
+            f"check() needs the function itself, without parentheses; it got {describe(function)}."
+        )
+    try:
+        inspect.signature(function).bind(*table.parameters)
+    except ValueError:
+        return ""  # written in C: it does not tell its arguments
+    except TypeError as error:
+        return f"It will be called as {table.signature}, but that does not fit yours: {error}."
+    return ""

@@ -1,0 +1,239 @@
+"""The properties an answer has to have, in order; the first that fails is the verdict.
+
+defined, runs, type, shape, dtype, range, value. A gate says what was found and which *property*
+was due, never the value that was due.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from labutils.checks.compare import align_rows, find_wrong, is_close
+from labutils.checks.residuals import describe_residual
+from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Parts, Raised, Scene
+
+GATES = ("defined", "runs", "type", "shape", "dtype", "range", "value")
+
+_DTYPES = {
+    "float": ("f", "floating-point numbers (float32 or float64)"),
+    "uint8": ("u", "uint8, whole numbers from 0 to 255"),
+    "int": ("iu", "whole numbers"),
+    "bool": ("b", "True or False"),
+    "str": ("U", "texts"),
+}
+#: Here the number of rows is part of the answer.
+_SELECTIONS = ("cloud", "attached", "boxes", "list", "names")
+_DIMENSIONS = {
+    "number": (0, "a single number"),
+    "flag": (0, "a single value"),
+    "pixel": (1, "two numbers"),
+    "matrix": (2, "3 rows and 3 columns"),
+    "rgb": (3, "(H, W, 3), the size of the picture"),
+    "mapped": (3, "(H, W, 3), the size of the depth image"),
+    "depth": (2, "(H, W), the size of the picture"),
+    "mask": (2, "(H, W), the size of the picture"),
+    "rows": (2, "(N, 3), one row per point that came in"),
+    "cloud": (2, "(N, 3), one row per point that is kept"),
+    "attached": (2, "(N, 3), one row per point"),
+    "vector": (1, "as many numbers as the statement says"),
+    "choice": (0, "a single whole number"),
+    "pixels": (2, "(N, 2), one row per point that came in"),
+    "boxes": (2, "(N, 4), one row per object"),
+    "flags": (1, "(N,), one value per thing that came in"),
+    "list": (1, "(N,), one value per object"),
+    "names": (1, "(N,), one text per object"),
+}
+
+
+@dataclass(frozen=True)
+class Failure:
+    """The first property that does not hold: which, where, and what to say about it."""
+
+    gate: str
+    text: str
+    case: int
+    part: int = 0
+    #: Whether the function looks as if nobody has begun it.
+    untouched: bool = False
+
+
+def find_failure(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
+    """Run the gates over all cases, one gate after the other; stop at the first failure."""
+    if failure := _find_untouched(answers):
+        return failure
+    if failure := _find_crash(table, answers):
+        return failure
+    for gate in (_check_type, _check_shape, _check_dtype, _check_range, _check_value):
+        for index, (case, answer) in enumerate(zip(table.cases, answers, strict=True)):
+            due = table.expected[index]
+            if isinstance(due, Raised) or isinstance(answer, Raised):
+                continue  # both are settled by _find_crash and _check_raises
+            if failure := gate(table, index, case, due, answer):
+                return failure
+    return _check_raises(table, answers)
+
+
+def _find_untouched(answers: tuple[Outcome, ...]) -> Failure | None:
+    """Tell a starter nobody has begun from a wrong answer."""
+    begin = "Replace the line with your own code, then check again."
+    if all(
+        isinstance(answer, Raised) and answer.kind == "NotImplementedError" for answer in answers
+    ):
+        return Failure(
+            "runs", f"The body is still `raise NotImplementedError`. {begin}", 0, untouched=True
+        )
+    nothing = [
+        (isinstance(answer, tuple) and answer[0] is None)
+        or (isinstance(answer, Misfit) and answer.text.endswith((" None", " ...")))
+        for answer in answers
+    ]
+    if all(nothing):
+        text = "It returns nothing: the body is still empty, or `return` is missing at its end."
+        return Failure("runs", text, 0, untouched=True)
+    return None
+
+
+def _find_crash(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
+    for index, answer in enumerate(answers):
+        if not isinstance(answer, Raised):
+            continue
+        due = table.cases[index].raises
+        if due and due in (answer.kind, *answer.base_kinds):
+            continue
+        what = f"{answer.kind}: {answer.text}" if answer.text else answer.kind
+        where = f" in your {answer.line}" if answer.line else ""
+        wish = f" Here a {due} is due." if due else ""
+        return Failure("runs", f"It stops with {what}{where}.{wish}", index)
+    return None
+
+
+def _check_raises(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
+    for index, (case, answer) in enumerate(zip(table.cases, answers, strict=True)):
+        if case.raises and not isinstance(answer, Raised):
+            text = f"It returns something where it has to raise {case.raises}."
+            return Failure("value", text, index)
+    return None
+
+
+def _check_type(
+    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+) -> Failure | None:
+    del case
+    if isinstance(answer, Misfit):
+        return Failure("type", f"{answer.text[0].upper()}{answer.text[1:]}.", index)
+    for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
+        if x is None and y is not None:
+            text = f"{part.name} has to be None here{_note(part)}; yours is not."
+            return Failure("type", text, index, number)
+        if x is not None and y is None:
+            text = f"{part.name} must not be None here{_note(part)}."
+            return Failure("type", text, index, number)
+    return None
+
+
+def _note(part: Part) -> str:
+    return f" ({part.note})" if part.note else ""
+
+
+def _check_shape(
+    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+) -> Failure | None:
+    del case
+    for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
+        if x is None or y is None or x.shape == y.shape:
+            continue
+        ndim, words = _DIMENSIONS[part.kind]
+        if y.ndim == ndim and y.shape[1:] == x.shape[1:] and part.kind in _SELECTIONS:
+            many = "too many" if len(y) > len(x) else "too few"
+            things = "entries" if ndim == 1 else "rows"
+            text = f"{part.name} has {many} {things} ({len(y)}): what is kept is not right."
+        else:
+            text = f"{part.name} has shape {y.shape}; due is {words}."
+        return Failure("shape", text, index, number)
+    return None
+
+
+def _check_dtype(
+    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+) -> Failure | None:
+    del case
+    for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
+        kinds, words = _DTYPES[part.dtype]
+        if x is None or y is None or (y.dtype.kind in kinds and (kinds != "u" or y.itemsize == 1)):
+            continue
+        return Failure("dtype", f"{part.name} is {y.dtype}; due are {words}.", index, number)
+    return None
+
+
+def _check_range(
+    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+) -> Failure | None:
+    for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
+        if x is None or y is None or not y.size or part.dtype == "str":
+            continue
+        if part.values and not np.isin(y, part.values).all():
+            found = sorted({int(value) for value in np.unique(y)} - set(part.values))[:3]
+            allowed = " and ".join(map(str, part.values))
+            text = f"{part.name} holds {', '.join(map(str, found))}; only {allowed} are allowed."
+            return Failure("range", text, index, number)
+        limits = (_get_limit(table, case, part.low), _get_limit(table, case, part.high))
+        if text := _describe_range(part, y, *limits):
+            return Failure("range", text, index, number)
+    return None
+
+
+def _get_limit(table: CheckTable, case: Case, limit: float | str | None) -> float | None:
+    """Look up a limit; a name means the argument of that name."""
+    if not isinstance(limit, str):
+        return limit
+    # A scene fills several parameters, so only exercises without one may name limits.
+    assert not any(isinstance(value, Scene) for value in case.args)  # noqa: S101 - cards are ours
+    return float(case.args[table.parameters.index(limit)])
+
+
+def _describe_range(part: Part, yours: np.ndarray, low: float | None, high: float | None) -> str:
+    finite = yours[np.isfinite(yours)].astype(np.float64)
+    slack = part.atol
+    unit = f" {part.unit}" if part.unit else ""
+    for limit, name, word, outside in (
+        (low, part.low, "below", finite < (low or 0.0) - slack),
+        (high, part.high, "above", finite > (high or 0.0) + slack),
+    ):
+        if limit is not None and outside.any():
+            shown = f"{name} ({limit:g}{unit})" if isinstance(name, str) else f"{limit:g}{unit}"
+            extreme = finite.min() if word == "below" else finite.max()
+            return (
+                f"{np.count_nonzero(outside)} of {yours.size} values of {part.name} lie {word} "
+                f"{shown}; the furthest is {extreme:.3g}{unit}."
+            )
+    return ""
+
+
+def _check_value(
+    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+) -> Failure | None:
+    del case
+    if isinstance(due, tuple) and isinstance(answer, tuple):
+        answer = align_rows(table.parts, due, answer)
+    for number, (part, x, y) in enumerate(_walk(table.parts, due, answer)):
+        if is_close(part, x, y) or x is None or y is None:
+            continue
+        if part.kind == "flag":
+            return Failure("value", part.note, index, number)
+        wrong = find_wrong(part, x, y)
+        return Failure("value", describe_residual(part, x, y, wrong), index, number)
+    return None
+
+
+def _walk(
+    parts: tuple[Part, ...], due: Any, answer: Any
+) -> itertools.chain[tuple[Part, np.ndarray | None, np.ndarray | None]]:
+    """Pair every part with what is due and what came; nothing where an answer has no parts."""
+    if isinstance(due, Raised | Misfit) or isinstance(answer, Raised | Misfit):
+        return itertools.chain()
+    pairs: Parts = answer
+    return itertools.chain(zip(parts, due, pairs, strict=True))

@@ -1,0 +1,264 @@
+"""What a check knows of an exercise: its frozen cases, right answers and known wrong answers.
+
+A table holds outputs, never code: nothing a learner installs can be read to find how an answer is
+computed. Tables are written by ``make exercises`` from the instructor's cards, stored as one JSON
+file of words and one array file per exercise.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, fields
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+
+#: Where the frozen tables lie.
+TABLES = Path(__file__).with_name("tables")
+WORDS = "exercises.json"
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A MuJoCo scene an argument is made of, kept as text so that no table needs MuJoCo.
+
+    ``gives`` names the arguments made from it: "model", then "data", then "renderer".
+    The positions `qpos` are set after the scene was forwarded, as a simulation leaves them.
+    """
+
+    xml: str
+    gives: tuple[str, ...] = ("model",)
+    qpos: tuple[float, ...] = ()
+    width: int = 0
+    height: int = 0
+
+
+@dataclass(frozen=True)
+class Raised:
+    """An answer that is an exception; `line` is the learner's own line, for the message only."""
+
+    kind: str
+    text: str = ""
+    line: str = field(default="", compare=False)
+    base_kinds: tuple[str, ...] = field(default=(), compare=False)
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """An answer that cannot be taken apart into the expected parts."""
+
+    text: str
+
+
+Parts: TypeAlias = "tuple[np.ndarray | None, ...]"
+Outcome: TypeAlias = "Parts | Raised | Misfit"
+
+
+@dataclass(frozen=True)
+class Case:
+    """One call: what it shows in words, its arguments, and the exception due, if one is."""
+
+    label: str
+    args: tuple[Any, ...]
+    raises: str = ""
+
+
+@dataclass(frozen=True)
+class Part:
+    """One thing a function returns, and what counts as right.
+
+    Parameters
+    ----------
+    name, kind : str
+        What it is called and how it is compared and drawn: "number", "matrix", "pixel", "rgb",
+        "mapped" (a color-mapped picture), "depth", "mask", "rows", "cloud" (rows in any order),
+        "attached" (one row per point of the cloud before it), "flag", "vector" (few numbers),
+        "choice" (a number that names something), "pixels" (one per row), "boxes" (likewise),
+        "flags", "list" or "names" (one value per thing).
+    dtype : str
+        "float", "uint8", "int", "bool" or "str".
+    atol : float
+        How far a value may be off.
+    share : float
+        Which share of the values may be off by more.
+    unit : str
+        For messages.
+    low, high : float or str or None
+        Limits of the range gate; a str names the parameter that holds the limit.
+    values : tuple of int
+        The only values allowed.
+    nullable : bool
+        Whether None can be right.
+    note : str
+        For a flag: what is wrong when it is not set. For others: a reminder in type messages.
+    """
+
+    name: str
+    kind: str
+    dtype: str
+    atol: float = 0.0
+    share: float = 0.0
+    unit: str = ""
+    low: float | str | None = None
+    high: float | str | None = None
+    values: tuple[int, ...] = ()
+    nullable: bool = False
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class CheckTable:
+    """Everything `check` needs for one exercise."""
+
+    name: str
+    title: str
+    step: int
+    points: int
+    parameters: tuple[str, ...]
+    section: str
+    parts: tuple[Part, ...]
+    hints: tuple[str, ...]
+    misconceptions: dict[str, str]
+    cases: tuple[Case, ...]
+    expected: tuple[Outcome, ...]
+    #: Names of the mistakes made at once (one or two) to the answers that come out.
+    wrong: dict[tuple[str, ...], tuple[Outcome, ...]]
+    #: Mistakes that are explained in another section than the exercise.
+    links: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def signature(self) -> str:
+        """How the function is called."""
+        return f"{self.name}({', '.join(self.parameters)})"
+
+    @property
+    def needs_mujoco(self) -> bool:
+        """Whether a case is made from a scene."""
+        return any(isinstance(value, Scene) for case in self.cases for value in case.args)
+
+
+class TableError(Exception):
+    """A table is missing or cannot be read: a fault of the installation, never of the learner."""
+
+
+@cache
+def read_words(folder: Path = TABLES) -> dict[str, Any]:
+    """Read the words of all exercises, in the order of the book."""
+    try:
+        words = json.loads((folder / WORDS).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise TableError(f"the check tables cannot be read ({error})") from error
+    return dict(words)
+
+
+@cache
+def load_table(name: str, folder: Path = TABLES) -> CheckTable:
+    """Read the table of one exercise; raise KeyError where there is no such exercise."""
+    words = read_words(folder)[name]
+    try:
+        with np.load(folder / f"{name}.npz", allow_pickle=False) as stored:
+            arrays = {key: stored[key] for key in stored.files}
+    except (OSError, ValueError) as error:
+        raise TableError(f"the check table of {name} cannot be read ({error})") from error
+    for array in arrays.values():
+        array.setflags(write=False)
+
+    def outcomes(items: list[Any]) -> tuple[Outcome, ...]:
+        return tuple(_decode(item, arrays) for item in items)
+
+    return CheckTable(
+        name=name,
+        title=words["title"],
+        step=words["step"],
+        points=words["points"],
+        parameters=tuple(words["parameters"]),
+        section=words["section"],
+        parts=tuple(_make_part(item) for item in words["parts"]),
+        hints=tuple(words["hints"]),
+        misconceptions=dict(words["misconceptions"]),
+        cases=tuple(
+            Case(item["label"], _decode(item["args"], arrays), item["raises"])
+            for item in words["cases"]
+        ),
+        expected=outcomes(words["expected"]),
+        wrong={tuple(item["made"]): outcomes(item["answers"]) for item in words["wrong"]},
+        links=dict(words["links"]),
+    )
+
+
+def _make_part(item: dict[str, Any]) -> Part:
+    return Part(**{**item, "values": tuple(item.get("values", ()))})
+
+
+def part_to_words(part: Part) -> dict[str, Any]:
+    """Write a part as JSON, leaving out what is at its default."""
+    return {
+        one.name: list(value) if isinstance(value, tuple) else value
+        for one in fields(part)
+        if (value := getattr(part, one.name)) != one.default
+    }
+
+
+def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+    """Turn an argument or an answer into JSON; arrays go to `arrays`, each content once."""
+    if isinstance(value, np.ndarray):
+        return _encode_array(value, arrays)
+    if isinstance(value, Raised):
+        return {"raised": [value.kind, value.text]}
+    if isinstance(value, Misfit):
+        return {"misfit": value.text}
+    if isinstance(value, Scene):
+        return {
+            "scene": [value.xml, list(value.gives), list(value.qpos), value.width, value.height]
+        }
+    if isinstance(value, tuple | list):
+        return {"tuple": [encode(item, arrays) for item in value]}
+    return value
+
+
+def _encode_array(value: np.ndarray, arrays: dict[str, np.ndarray]) -> dict[str, Any]:
+    is_mask = value.dtype == np.uint8 and value.ndim == 2 and bool(np.isin(value, (0, 255)).all())
+    stored = np.packbits(value > 0) if is_mask else np.array(value, order="C")
+    key = next((key for key, known in arrays.items() if is_same_array(known, stored)), "")
+    if not key:
+        key = f"a{len(arrays)}"
+        arrays[key] = stored
+    return {"mask": [key, list(value.shape)]} if is_mask else {"array": key}
+
+
+def is_same_array(a: np.ndarray, b: np.ndarray) -> bool:
+    """Tell whether two arrays agree, up to roundings in which processors differ.
+
+    Vector units may round the last bit of a float32 differently. One part in a million is above
+    that, and a hundred times below the finest tolerance of a card.
+    """
+    if a.dtype != b.dtype or a.shape != b.shape:
+        return False
+    if a.dtype.kind != "f":
+        return a.tobytes() == b.tobytes()
+    return bool(np.allclose(a, b, rtol=1e-6, atol=1e-7, equal_nan=True))
+
+
+def _decode(item: Any, arrays: dict[str, np.ndarray]) -> Any:  # noqa: PLR0911 - one per form
+    """Undo `encode`."""
+    if not isinstance(item, dict):
+        return item
+    ((form, content),) = item.items()
+    if form == "array":
+        return arrays[content]
+    if form == "mask":
+        key, shape = content
+        bits = np.unpackbits(arrays[key], count=int(np.prod(shape))).reshape(shape)
+        mask = (bits * np.uint8(255)).astype(np.uint8)
+        mask.setflags(write=False)
+        return mask
+    if form == "raised":
+        return Raised(*content)
+    if form == "misfit":
+        return Misfit(content)
+    if form == "scene":
+        xml, gives, qpos, width, height = content
+        return Scene(xml, tuple(gives), tuple(qpos), width, height)
+    return tuple(_decode(one, arrays) for one in content)

@@ -1,0 +1,121 @@
+"""The record of one check. Everything that shows it only reads it."""
+
+from __future__ import annotations
+
+import base64
+import html
+import textwrap
+from dataclasses import dataclass
+from typing import Literal
+
+#: Columns of a message; a notebook on a phone breaks them once more.
+WIDTH = 96
+
+#: A verdict is read at a glance, so it stays below this many lines.
+MAX_LINES = 11
+
+Result = Literal["passed", "failed", "not checked"]
+
+_MARKS: dict[Result, tuple[str, str]] = {
+    "passed": ("passed", "#009E73"),
+    "failed": ("not yet", "#D55E00"),
+    "not checked": ("not checked", "#767b85"),
+}
+
+
+@dataclass(frozen=True)
+class PanelPicture:
+    """Expected, yours and their difference side by side, as PNG."""
+
+    png: bytes
+    summary: str
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What `check` found.
+
+    Parameters
+    ----------
+    exercise : str
+        Name of the exercise.
+    result : str
+        "passed", "failed", or "not checked": the checker could not judge, and nobody is blamed.
+    failed_gate : str or None
+        The first gate that failed, also called `property`: defined, runs, type, shape, dtype,
+        range or value.
+    misconception : str or None
+        Name of the recognized mistake; two are joined by " + ".
+    paragraphs : tuple of str
+        The message after its headline.
+    link : str
+        Where to read again, relative to a page of the book; empty for none.
+    picture : PanelPicture or None
+        For pictures, depth, masks and clouds.
+    counted : bool
+        False where the result says nothing about the learner: nothing is kept of it.
+    """
+
+    exercise: str
+    result: Result
+    failed_gate: str | None = None
+    misconception: str | None = None
+    paragraphs: tuple[str, ...] = ()
+    link: str = ""
+    picture: PanelPicture | None = None
+    counted: bool = True
+
+    @property
+    def passed(self) -> bool:
+        """True only where every visible case agrees."""
+        return self.result == "passed"
+
+    @property
+    def headline(self) -> str:
+        """The first line."""
+        gate = f" ({self.failed_gate})" if self.failed_gate else ""
+        return f"{self.exercise}: {_MARKS[self.result][0]}{gate}"
+
+    @property
+    def message(self) -> str:
+        """The whole text, fewer than 12 lines."""
+        lines = [self.headline]
+        for paragraph in self._get_all_paragraphs():
+            lines += textwrap.wrap(paragraph, WIDTH, break_long_words=False, break_on_hyphens=False)
+        if len(lines) > MAX_LINES:  # a long exception text: its end is the least of the message
+            lines = [*lines[: MAX_LINES - 2], "...", lines[-1]]
+        return "\n".join(lines)
+
+    def _get_all_paragraphs(self) -> tuple[str, ...]:
+        return (*self.paragraphs, f"Read again: {self.link}") if self.link else self.paragraphs
+
+    def _repr_html_(self) -> str:
+        """Return the same words with a color, and the picture."""
+        body = "".join(f"<div>{html.escape(text)}</div>" for text in self.paragraphs)
+        if self.link:
+            target = html.escape(self.link)
+            body += f'<div>Read again: <a href="{target}" style="color:inherit">{target}</a></div>'
+        color = _MARKS[self.result][1]
+        return (
+            f'<div style="border-left:4px solid {color};padding:0.1em 0.8em;margin:0.4em 0">'
+            f'<div><strong style="color:inherit">{html.escape(self.headline)}</strong></div>'
+            f"{body}{self._get_picture_html()}</div>"
+        )
+
+    def _get_picture_html(self) -> str:
+        if self.picture is None:
+            return ""
+        data = base64.b64encode(self.picture.png).decode("ascii")
+        return (
+            f'<img src="data:image/png;base64,{data}" alt="{html.escape(self.picture.summary)}" '
+            'style="max-width:100%;height:auto;margin-top:0.4em">'
+        )
+
+    def __repr__(self) -> str:
+        return self.message
+
+    # The last of the class: below this line the word no longer means Python's decorator.
+    @property
+    def property(self) -> str | None:
+        """The first property that does not hold, or None."""
+        return self.failed_gate

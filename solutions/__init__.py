@@ -1,0 +1,27 @@
+"""The instructor's room: one card per exercise, found by listing this folder."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+__all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part", "load_exercises"]
+
+#: Points for code quality; no card has them.
+QUALITY_POINTS = 10
+
+
+@cache
+def load_exercises() -> dict[str, Exercise]:
+    """Import every card and return the exercises by name, in the order of the steps."""
+    stems = sorted(
+        path.stem for path in Path(__file__).parent.glob("*.py") if not path.stem.startswith("_")
+    )
+    cards = [import_module(f"solutions.{stem}").EXERCISE for stem in stems]
+    wrong = [card.name for stem, card in zip(stems, cards, strict=True) if card.name != stem]
+    if wrong:
+        raise ValueError(f"solutions: expected cards named like their files, got {wrong}")
+    return {card.name: card for card in sorted(cards, key=lambda card: (card.step, card.place))}

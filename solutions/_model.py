@@ -1,0 +1,238 @@
+"""What an exercise consists of, checked when it is loaded.
+
+A misconception is executable: every card has one function, `answer_with`, that gives the answer of
+somebody who made a set of mistakes. Without mistakes it has to agree with the reference; with one
+or two it is what the check recognizes. So texts, tests, tables and grades come from one source.
+"""
+
+from __future__ import annotations
+
+import inspect
+import itertools
+import re
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from labutils.checks.calls import call_once
+from labutils.checks.compare import is_same_outcome, to_canonical
+from labutils.checks.progress import MAX_HINTS
+from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+__all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part"]
+
+#: With "Recognized: " before it, a text of this length fills two lines of a verdict. Two mistakes
+#: at once then still fit below twelve lines.
+MAX_TEXT = 176
+
+#: The chapter of every step; a label such as step4-clean names its step.
+CHAPTERS = (
+    "step1_camera",
+    "step2_intrinsics",
+    "step3_depth",
+    "step4_color",
+    "step5_cloud",
+    "step6_view",
+)
+
+Mistakes = frozenset[str]
+
+
+@dataclass(frozen=True)
+class Misconception:
+    """A mistake: its name, what to say to somebody who made it, and the section to read again.
+
+    Without a section of its own, a mistake leads to the section of its card.
+    """
+
+    name: str
+    text: str
+    section: str = ""
+
+    def __post_init__(self) -> None:
+        if not self.name or self.name != self.name.lower() or " " in self.name:
+            raise ValueError(f"misconception: expected a name-like-this, got {self.name!r}")
+        if not 40 <= len(self.text) <= MAX_TEXT or not self.text.endswith("."):
+            raise ValueError(
+                f"misconception {self.name}: expected sentences of 40 to {MAX_TEXT} characters, "
+                f"got {len(self.text)}"
+            )
+
+
+@dataclass(frozen=True)
+class Absorbed:
+    """Two mistakes that cannot be told apart from one of them, and why that has to be so."""
+
+    first: str
+    second: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One card of the instructor's room.
+
+    Lab exercises have points, challenges have none. What a challenge asks for is not in labutils,
+    so its reference stands on its card.
+
+    Parameters
+    ----------
+    section : str
+        Label of the section to read again, such as "step4-clean".
+    objectives : tuple of str
+        The learning objectives it practices, such as "4c".
+    reference : callable
+        The right answer; for the lab's own functions it *is* the function of labutils.
+    answer_with : callable
+        ``answer_with(mistakes, *arguments)``: the answer of somebody who made these mistakes.
+    visible, hidden : callable
+        ``visible()`` gives the cases everybody sees, ``hidden(rng)`` those that decide the grade.
+    parts : tuple of Part
+        What comes back, with its tolerance.
+    tolerance_reason : str
+        Why the tolerance is neither tighter nor wider.
+    place : int
+        Position among the exercises of its step.
+    """
+
+    name: str
+    title: str
+    step: int
+    points: int
+    section: str
+    objectives: tuple[str, ...]
+    reference: Callable[..., Any]
+    answer_with: Callable[..., Any]
+    parts: tuple[Part, ...]
+    tolerance_reason: str
+    misconceptions: tuple[Misconception, ...]
+    hints: tuple[str, ...]
+    visible: Callable[[], tuple[Case, ...]]
+    hidden: Callable[[np.random.Generator], tuple[Case, ...]]
+    place: int = 1
+    imports: tuple[str, ...] = ("import numpy as np",)
+    absorbed: tuple[Absorbed, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        names = [one.name for one in self.misconceptions]
+        if len(set(names)) != len(names) or not 4 <= len(names) <= 7:
+            raise ValueError(f"{self.name}: expected 4 to 7 different misconceptions, got {names}")
+        if len(self.hints) != MAX_HINTS or not all(self.hints):
+            raise ValueError(f"{self.name}: expected {MAX_HINTS} hints, got {len(self.hints)}")
+        unknown = {name for one in self.absorbed for name in (one.first, one.second)} - set(names)
+        if unknown:
+            raise ValueError(f"{self.name}: absorbed names unknown mistakes {sorted(unknown)}")
+        if not all(one.reason for one in self.absorbed) or not self.tolerance_reason:
+            raise ValueError(f"{self.name}: expected a reason with every exception and tolerance")
+        if self.reference.__name__ != self.name:
+            raise ValueError(f"{self.name}: the reference is called {self.reference.__name__}")
+        if self.points < 0 or not 1 <= self.step <= 6:
+            raise ValueError(f"{self.name}: expected points and a step from 1 to 6")
+        if not self.objectives:
+            raise ValueError(f"{self.name}: expected at least one objective")
+        for label in (self.section, *(one.section for one in self.misconceptions if one.section)):
+            get_link(label)  # raises where it names no step
+
+    @property
+    def is_challenge(self) -> bool:
+        """Whether it goes beyond the lab: no points, and not in the library."""
+        return self.points == 0
+
+    @property
+    def chapter(self) -> str:
+        """The stem of the chapter of its step."""
+        return CHAPTERS[self.step - 1]
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """The names of the arguments."""
+        return tuple(inspect.signature(self.reference).parameters)
+
+    def get_combinations(self) -> tuple[tuple[str, ...], ...]:
+        """Return every mistake and every pair that can be told apart."""
+        absorbed = {frozenset((one.first, one.second)) for one in self.absorbed}
+        names = [one.name for one in self.misconceptions]
+        pairs = itertools.combinations(names, 2)
+        return (
+            *((name,) for name in names),
+            *(pair for pair in pairs if frozenset(pair) not in absorbed),
+        )
+
+    def make_wrong(self, made: tuple[str, ...]) -> Callable[..., Any]:
+        """Return the function somebody would write who made these mistakes."""
+        mistakes = frozenset(made)
+
+        def wrong(*args: Any) -> Any:
+            return self.answer_with(mistakes, *args)
+
+        return wrong
+
+    def freeze(self, cases: tuple[Case, ...] | None = None) -> CheckTable:
+        """Compute the table for the visible (or other) cases, and verify the card on the way."""
+        cases = cases or self.visible()
+        expected = self.collect(self.reference, cases)
+        for case, due in zip(cases, expected, strict=True):
+            self._verify_reference(case, due)
+        wrong = {
+            made: tuple(
+                to_canonical(self.parts, outcome)
+                for outcome in self.collect(self.make_wrong(made), cases)
+            )
+            for made in self.get_combinations()
+        }
+        return CheckTable(
+            name=self.name,
+            title=self.title,
+            step=self.step,
+            points=self.points,
+            parameters=self.parameters,
+            section=get_link(self.section),
+            parts=self.parts,
+            hints=self.hints,
+            misconceptions={one.name: one.text for one in self.misconceptions},
+            links={one.name: get_link(one.section) for one in self.misconceptions if one.section},
+            cases=cases,
+            expected=expected,
+            wrong=wrong,
+        )
+
+    def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
+        return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)
+
+    def _verify_reference(self, case: Case, due: Outcome) -> None:
+        if isinstance(due, Raised) != bool(case.raises) or isinstance(due, Misfit):
+            raise ValueError(f"{self.name}: the reference fails on {case.label!r}: {due}")
+        if isinstance(due, Raised) and case.raises != due.kind:
+            raise ValueError(f"{self.name}: expected {case.raises} on {case.label!r}, got {due}")
+        again = round_outcome(call_once(self.parts, case, self.make_wrong(())))
+        if not is_same_outcome(self.parts, due, again):
+            raise ValueError(
+                f"{self.name}: answer_with without mistakes differs from the reference on "
+                f"{case.label!r}"
+            )
+
+
+def get_link(label: str) -> str:
+    """Return the address of a labeled section, relative to any page of the book."""
+    if not re.fullmatch(r"step[1-6]-[a-z-]+", label):
+        raise ValueError(f"section: expected a label such as step4-clean, got {label!r}")
+    return f"../book/{CHAPTERS[int(label[4]) - 1]}.html#{label}"
+
+
+def round_outcome(outcome: Outcome) -> Outcome:
+    """Round to a millionth, so that frozen bytes do not depend on a processor's last digit."""
+    if isinstance(outcome, Raised):
+        return Raised(outcome.kind, outcome.text)
+    if isinstance(outcome, Misfit):
+        return outcome
+    return tuple(
+        value
+        if value is None or value.dtype.kind != "f"
+        # Adding zero turns -0.0 into 0.0; np.asarray keeps a single number an array.
+        else np.asarray(np.round(value.astype(np.float64), 6) + 0.0, dtype=value.dtype)
+        for value in outcome
+    )

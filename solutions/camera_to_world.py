@@ -1,0 +1,119 @@
+"""Step 5: from the camera frame into the world."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import labutils
+from solutions._cases import make_rotation
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def _answer_with(
+    mistakes: frozenset[str], points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray
+) -> np.ndarray:
+    rotation = cam_xmat.reshape(3, 3)
+    flip = np.diag([1.0, -1.0, 1.0 if "z-not-flipped" in mistakes else -1.0])
+    if "no-flip" not in mistakes:
+        rotation = flip @ rotation if "flip-outside" in mistakes else rotation @ flip
+    if "transposed" in mistakes:
+        rotation = rotation.T
+    if "no-position" in mistakes:
+        return points @ rotation.T
+    if "position-first" in mistakes:
+        return (points + cam_xpos) @ rotation.T
+    return points @ rotation.T + cam_xpos
+
+
+def _make_case(rng: np.random.Generator, label: str, count: int, *, flat: bool) -> Case:
+    points = np.round(rng.uniform((-1, -1, 0.5), (1.5, 0.8, 4), size=(count, 3)), 4)
+    position = np.round(rng.uniform((0.5, -2, 0.8), (2, -0.5, 2), size=3), 4)
+    rotation = make_rotation(rng)
+    return Case(label, (points, position, rotation.ravel() if flat else rotation))
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(81)
+    return (
+        _make_case(rng, "five points, cam_xmat as 3x3 matrix", 5, flat=False),
+        _make_case(rng, "forty points, cam_xmat as the nine numbers MuJoCo gives", 40, flat=True),
+        _make_case(rng, "no point at all", 0, flat=True),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    return tuple(
+        _make_case(rng, f"pose {number + 1}", int(rng.integers(3, 60)), flat=bool(number % 2))
+        for number in range(5)
+    )
+
+
+EXERCISE = Exercise(
+    name="camera_to_world",
+    title="move points from the camera into the world",
+    step=5,
+    place=2,
+    points=6,
+    section="step5-world",
+    objectives=("5c",),
+    reference=labutils.camera_to_world,
+    answer_with=_answer_with,
+    parts=(Part("points", "rows", "float", atol=1e-4, unit="m"),),
+    tolerance_reason=(
+        "0.1 mm is a hundred times the rounding of float32 within 10 m; every mistake moves points "
+        "by centimeters"
+    ),
+    misconceptions=(
+        Misconception(
+            "no-flip",
+            "the points came in OpenCV's axes, but cam_xmat is for MuJoCo's: y up, looking along "
+            "-z. Turn y and z around first.",
+        ),
+        Misconception(
+            "z-not-flipped",
+            "y is turned around, z is not. MuJoCo's camera looks along -z, so what lies before "
+            "the camera has a negative z there.",
+        ),
+        Misconception(
+            "flip-outside",
+            "you turn the axes around in the world, after the rotation. It belongs into the camera "
+            "frame: cam_xmat @ flip, not flip @ cam_xmat.",
+        ),
+        Misconception(
+            "transposed",
+            "the rotation is transposed, which turns the other way. Points are rows here: rows "
+            "are multiplied by the transpose of the matrix, once.",
+        ),
+        Misconception(
+            "no-position",
+            "the directions are right, but the camera still sits at the origin. Add cam_xpos after "
+            "the rotation.",
+        ),
+        Misconception(
+            "position-first",
+            "cam_xpos is added before the rotation. It is a place in the world: rotate into the "
+            "world first, then add it.",
+        ),
+    ),
+    hints=(
+        (
+            "Two things happen to a point, in this order: it is turned into the world's "
+            "directions, then moved to where the camera stands."
+        ),
+        (
+            "cam_xmat turns MuJoCo's camera axes into the world. Which axes of your points "
+            "differ from those, and by what sign?"
+        ),
+        (
+            "For a column p the answer is R p + t. Your points are rows: transpose both sides to "
+            "see what stands where."
+        ),
+    ),
+    visible=_visible,
+    hidden=_hidden,
+    absorbed=(
+        Absorbed("no-flip", "z-not-flipped", "without a flip no part of it can be forgotten"),
+        Absorbed("no-flip", "flip-outside", "without a flip there is no side to put it on"),
+        Absorbed("no-position", "position-first", "what is never added is not added too early"),
+    ),
+)

@@ -1,0 +1,155 @@
+"""Step 5: from a depth image to points."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+import labutils
+from solutions._cases import make_depth, make_rgb, spoil_depth
+from solutions._model import Case, Exercise, Misconception, Part
+
+
+def _answer_with(
+    mistakes: frozenset[str],
+    depth_metric: np.ndarray,
+    K: np.ndarray,
+    rgb_image: np.ndarray | None,
+) -> Any:
+    height, width = depth_metric.shape
+    v, u = np.mgrid[:height, :width].astype(np.float64)
+    if "rows-as-columns" in mistakes:
+        u, v = v, u
+    if "pixel-corner" in mistakes:
+        u, v = u + 0.5, v + 0.5
+    slope_x = (u - K[0, 2]) / K[0, 0]
+    slope_y = (v - K[1, 2]) / (K[0, 0] if "one-focal-length" in mistakes else K[1, 1])
+    z = depth_metric.astype(np.float64)
+    if "ray-length" in mistakes:
+        z = z / np.sqrt(slope_x**2 + slope_y**2 + 1)
+    points = np.stack([slope_x * z, slope_y * z, z], axis=-1).reshape(-1, 3)
+    if "y-up" in mistakes:
+        points = points * [1, -1, -1]
+    valid = ((depth_metric > 0.01) & (depth_metric < 10)).ravel()
+    if "invalid-kept" in mistakes:
+        valid[:] = True
+    points = points[valid].astype(depth_metric.dtype)
+    if rgb_image is None:
+        return points, None
+    colors = rgb_image.reshape(-1, 3)[valid].astype(np.float32)
+    return points, colors if "colors-to-255" in mistakes else colors / 255
+
+
+def _make_intrinsics(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
+    fx, fy = rng.uniform(0.8, 1.0) * width, rng.uniform(1.15, 1.4) * width
+    cx, cy = (width - 1) / 2 + rng.uniform(1, 2), (height - 1) / 2 - rng.uniform(1, 2)
+    return np.round(np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), 3)
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(71)
+    clean = make_depth(rng, 11, 15)
+    spoiled = spoil_depth(rng, make_depth(rng, 14, 19))
+    return (
+        Case("every pixel sees a surface, no colors", (clean, _make_intrinsics(rng, 11, 15), None)),
+        Case(
+            "colors, and pixels without a surface",
+            (spoiled, _make_intrinsics(rng, 14, 19), make_rgb(rng, 14, 19)),
+        ),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    cases = []
+    for number in range(4):
+        height, width = map(int, rng.integers(12, 40, size=2))
+        depth = spoil_depth(rng, make_depth(rng, height, width))
+        rgb = make_rgb(rng, height, width) if number % 2 else None
+        cases.append(Case(f"view {number + 1}", (depth, _make_intrinsics(rng, height, width), rgb)))
+    return tuple(cases)
+
+
+EXERCISE = Exercise(
+    name="depth_to_pointcloud",
+    title="turn a depth image into points",
+    step=5,
+    place=1,
+    points=14,
+    section="step5-point",
+    objectives=("3c", "5a", "5b", "5e"),
+    reference=labutils.depth_to_pointcloud,
+    answer_with=_answer_with,
+    parts=(
+        Part("points", "cloud", "float", atol=1e-4, unit="m"),
+        Part(
+            "colors",
+            "attached",
+            "float",
+            atol=2e-3,
+            low=0.0,
+            high=1.0,
+            nullable=True,
+            note="None exactly where rgb_image is None",
+        ),
+    ),
+    tolerance_reason=(
+        "0.1 mm is fifty times the rounding of float32 at 10 m; half a pixel moves the nearest "
+        "point by 2 cm. Colors: half a level of 255"
+    ),
+    misconceptions=(
+        Misconception(
+            "rows-as-columns",
+            "u and v are exchanged. u counts columns and v counts rows: check the order that "
+            "np.meshgrid or np.indices gives.",
+        ),
+        Misconception(
+            "pixel-corner",
+            "your points are half a pixel off. A whole number (u, v) is the pixel's center, and K "
+            "is made for that: add no 0.5.",
+            section="step2-center",
+        ),
+        Misconception(
+            "one-focal-length",
+            "y is divided by fx. fx and fy differ where pixels are not square: K[0, 0] belongs to "
+            "x, K[1, 1] to y.",
+        ),
+        Misconception(
+            "ray-length",
+            "you take depth for the length of the ray. It is z, measured along the optical axis: "
+            "multiply the slopes by it as it is.",
+            section="step3-range",
+        ),
+        Misconception(
+            "y-up",
+            "y points up and z backwards: MuJoCo's axes. In the camera frame of OpenCV y points "
+            "down and z forward.",
+        ),
+        Misconception(
+            "invalid-kept",
+            "pixels without a surface are still points. Leave out NaN, infinity, depth at or below "
+            "0.01 m, and 10 m or more.",
+            section="step3-invalid",
+        ),
+        Misconception(
+            "colors-to-255",
+            "the colors go from 0 to 255. Point clouds take 0 to 1: divide by 255.",
+        ),
+    ),
+    hints=(
+        (
+            "A pixel's ray leaves through (u, v). How far does it move sideways per meter "
+            "forward? K holds what you need."
+        ),
+        (
+            "x = (u - cx) z / fx, and y likewise with its own numbers. Which of u and v counts the "
+            "columns?"
+        ),
+        (
+            "One mask of valid pixels serves points and colors alike: a comparison with NaN is "
+            "False, so NaN falls out by itself."
+        ),
+    ),
+    visible=_visible,
+    hidden=_hidden,
+)

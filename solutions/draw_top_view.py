@@ -1,0 +1,175 @@
+"""Challenge of step 6: draw a cloud as a map, seen from above."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def draw_top_view(
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> np.ndarray:
+    """Draw a cloud as a map, seen from straight above.
+
+    The robot looks along x, so x points up in the picture; y points to its left, so y points left.
+    A point at (x, y) falls into row floor((high_x - x) * pixels_per_meter) and column
+    floor((high_y - y) * pixels_per_meter). Of several points in one pixel the highest is seen.
+    Points outside the map are left out; where no point is, the map is black.
+
+    Parameters
+    ----------
+    points_world : ndarray, float64, (N, 3)
+        Points in the world (x forward, y left, z up), meters.
+    colors : ndarray, float64, (N, 3)
+        RGB from 0 to 1 per point.
+    low, high : ndarray, float64, (2,)
+        Limits (x, y) of the map, meters.
+    pixels_per_meter : int
+        Scale; the map has (high - low) * pixels_per_meter rows and columns, rounded.
+
+    Returns
+    -------
+    ndarray, uint8, (H, W, 3)
+        RGB, 255 times the colors, rounded.
+    """
+    height, width = np.rint((high - low) * pixels_per_meter).astype(int)
+    picture = np.zeros((height, width, 3), dtype=np.uint8)
+    row, column = np.floor((high - points_world[:, :2]) * pixels_per_meter).astype(int).T
+    inside = (row >= 0) & (row < height) & (column >= 0) & (column < width)
+    for n in np.argsort(points_world[:, 2]):  # the highest last, so that it stays
+        if inside[n]:
+            picture[row[n], column[n]] = np.rint(255 * colors[n])
+    return picture
+
+
+def _answer_with(
+    mistakes: frozenset[str],
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> Any:
+    height, width = (round(float(side) * pixels_per_meter) for side in high - low)
+    picture = np.zeros((height, width, 3), dtype=np.uint8)
+    order = np.arange(len(points_world))
+    if "lowest-wins" in mistakes:
+        order = np.argsort(-points_world[:, 2])
+    elif "last-point-wins" not in mistakes:
+        order = np.argsort(points_world[:, 2])
+    for n in order:
+        x, y, _ = points_world[n]
+        row = int(np.floor((high[0] - x) * pixels_per_meter))
+        column = int(np.floor((high[1] - y) * pixels_per_meter))
+        if "clipped-to-the-border" in mistakes:
+            row, column = min(max(row, 0), height - 1), min(max(column, 0), width - 1)
+        if not (0 <= row < height and 0 <= column < width):
+            continue
+        scale = 1 if "colors-to-1" in mistakes else 255
+        picture[row, column] = np.rint(scale * colors[n])
+    if "y-to-the-right" in mistakes:
+        picture = picture[:, ::-1]
+    return picture[::-1] if "x-downward" in mistakes else picture
+
+
+def _make_case(rng: np.random.Generator, label: str) -> Case:
+    scale = int(rng.integers(15, 30))
+    height, width = int(rng.integers(14, 22)), int(rng.integers(20, 30))
+    high = np.round(rng.uniform([1.5, 0.2], [2.5, 0.8]), 2)
+    low = high - np.array([height, width]) / scale
+    # Away from the borders of pixels, so that no rounding decides; a margin lies outside the map.
+    row, column = rng.integers(-3, height + 3, 500), rng.integers(-3, width + 3, 500)
+    shift = rng.uniform(0.2, 0.8, size=(500, 2))
+    places = high - (np.stack([row, column], axis=1) + shift) / scale
+    points = np.column_stack([places, rng.permutation(500) / 500])
+    colors = rng.integers(40, 256, size=(500, 3)) / 255
+    return Case(label, (np.round(points, 6), np.round(colors, 6), np.round(low, 9), high, scale))
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(112)
+    return _make_case(rng, "a cloud of 500 points"), _make_case(rng, "another cloud")
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    return tuple(_make_case(rng, f"cloud {number}") for number in range(3))
+
+
+EXERCISE = Exercise(
+    name="draw_top_view",
+    title="draw the cloud as a map",
+    step=6,
+    place=12,
+    points=0,
+    section="step6-side",
+    objectives=("6a", "6b"),
+    reference=draw_top_view,
+    answer_with=_answer_with,
+    parts=(Part("picture", "rgb", "uint8", atol=1.0),),
+    tolerance_reason="one level of 255: rounding to the nearest or down makes no difference",
+    misconceptions=(
+        Misconception(
+            "y-to-the-right",
+            "left and right are exchanged. y points to the robot's left, and the robot looks up in "
+            "the picture: large y is at the left.",
+        ),
+        Misconception(
+            "x-downward",
+            "the map is upside down. Rows count downward, so the largest x, far ahead, belongs "
+            "into row 0.",
+        ),
+        Misconception(
+            "last-point-wins",
+            "where several points fall into a pixel, you keep the last of the array. From above "
+            "one sees the highest: sort by z.",
+            section="step6-occlusion",
+        ),
+        Misconception(
+            "lowest-wins",
+            "you keep the lowest point of each pixel: this is the view from below. Draw the "
+            "highest last.",
+            section="step6-occlusion",
+        ),
+        Misconception(
+            "clipped-to-the-border",
+            "points outside the map pile up at its border. Leave them out instead of clipping "
+            "their rows and columns.",
+        ),
+        Misconception(
+            "colors-to-1",
+            "the picture is nearly black: colors of a cloud go from 0 to 1, those of a picture to "
+            "255.",
+        ),
+    ),
+    hints=(
+        "First a row and a column for every point. Which of x and y makes the rows?",
+        "Negative indices count from the end in NumPy: which points have to be dropped before?",
+        "If points are drawn in the order of their height, which one stays?",
+    ),
+    visible=_visible,
+    hidden=_hidden,
+    absorbed=(
+        Absorbed(
+            "last-point-wins",
+            "lowest-wins",
+            "points are drawn in one order: as they come, or by falling height",
+        ),
+        *(
+            Absorbed("colors-to-1", other, "zeros and ones are black within the tolerance")
+            for other in (
+                "y-to-the-right",
+                "x-downward",
+                "last-point-wins",
+                "lowest-wins",
+                "clipped-to-the-border",
+            )
+        ),
+    ),
+)

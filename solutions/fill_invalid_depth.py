@@ -1,0 +1,145 @@
+"""Challenge of step 3: fill the holes of a depth image without inventing surfaces."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+import numpy as np
+
+from solutions._cases import make_depth, spoil_depth
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def fill_invalid_depth(depth_metric: np.ndarray) -> np.ndarray:
+    """Fill the invalid pixels of a depth image and keep its edges sharp.
+
+    Valid is a depth above 0.01 m and below 10 m. Fill in rounds: in each round, every invalid
+    pixel that has valid pixels among its eight neighbors takes the *farthest* of them; the filled
+    pixels are valid from the next round on. Repeat until no invalid pixel is left. A hole beside
+    an object is mostly background that the object hides, hence the farthest.
+
+    Parameters
+    ----------
+    depth_metric : ndarray, float32, (H, W)
+        Meters. At least one pixel is valid.
+
+    Returns
+    -------
+    ndarray, float32, (H, W)
+        Meters; valid pixels keep their depth.
+    """
+    valid = (depth_metric > 0.01) & (depth_metric < 10)
+    filled = np.where(valid, depth_metric, np.float32(0))
+    while (filled == 0).any():
+        farthest = cv2.dilate(filled, np.ones((3, 3), np.uint8))
+        filled = np.where(filled == 0, farthest, filled)
+    return filled
+
+
+def _answer_with(mistakes: frozenset[str], depth_metric: np.ndarray) -> Any:
+    valid = (depth_metric > 0.01) & (depth_metric < 10)
+    if "zeros-only" in mistakes:
+        valid = ~np.isnan(depth_metric) & (depth_metric != 0)
+    filled = np.where(valid, depth_metric, np.nan)
+    pick = np.nanmin if "nearest-surface" in mistakes else np.nanmax
+    if "average" in mistakes:
+        pick = np.nanmean
+    shifts = [(row, column) for row in range(3) for column in range(3)]
+    if "four-neighbors" in mistakes:
+        shifts = [shift for shift in shifts if 1 in shift]
+    height, width = filled.shape
+    for _ in range(1 if "one-round" in mistakes else height + width):
+        if not np.isnan(filled).any():
+            break
+        padded = np.pad(filled, 1, constant_values=np.nan)
+        around = np.stack([padded[r : r + height, c : c + width] for r, c in shifts])
+        grown = pick(around, axis=0)
+        filled = grown if "valid-changed" in mistakes else np.where(valid, filled, grown)
+        valid = ~np.isnan(filled)
+    return np.nan_to_num(filled, nan=0.0, posinf=np.inf, neginf=-np.inf).astype(np.float32)
+
+
+def _make_case(rng: np.random.Generator, label: str, height: int, width: int) -> Case:
+    depth = spoil_depth(rng, make_depth(rng, height, width))
+    # A shadow along the box: wider than one round fills.
+    top = int(rng.integers(2, height // 3))
+    depth[top : top + height // 2, width // 2 : width // 2 + 4] = 0
+    return Case(label, (depth,))
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(105)
+    return (
+        _make_case(rng, "a box before a wall, with holes", 18, 26),
+        _make_case(rng, "a picture that is higher than wide", 25, 17),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    sizes = rng.integers(16, 34, size=(3, 2))
+    return tuple(_make_case(rng, f"view {h} x {w}", int(h), int(w)) for h, w in sizes)
+
+
+EXERCISE = Exercise(
+    name="fill_invalid_depth",
+    title="fill the holes of a depth image",
+    step=3,
+    place=11,
+    points=0,
+    section="step3-invalid",
+    objectives=("3d",),
+    reference=fill_invalid_depth,
+    answer_with=_answer_with,
+    parts=(Part("depth", "depth", "float", atol=1e-5, unit="m"),),
+    tolerance_reason=(
+        "filled depths are copies, so only rounding may differ; neighboring depths of one surface "
+        "differ by millimeters"
+    ),
+    misconceptions=(
+        Misconception(
+            "average",
+            "you average the neighbors. At an edge this invents a surface halfway between object "
+            "and background: copy one of them.",
+            section="step3-reversed-z",
+        ),
+        Misconception(
+            "nearest-surface",
+            "you take the nearest neighbor in depth. A hole beside an object is background that "
+            "it hides: take the farthest.",
+        ),
+        Misconception(
+            "one-round",
+            "holes wider than two pixels are still open. Repeat until no invalid pixel is left.",
+        ),
+        Misconception(
+            "valid-changed",
+            "you also change pixels that were measured. Replace the invalid ones only, as "
+            "np.where does.",
+        ),
+        Misconception(
+            "zeros-only",
+            "you look for zeros and NaN only. Infinity, negative depths, depths up to 0.01 m and "
+            "from 10 m on are invalid, too.",
+        ),
+        Misconception(
+            "four-neighbors",
+            "you look up, down, left and right. The diagonal neighbors count as well: there are "
+            "eight.",
+        ),
+    ),
+    hints=(
+        "Begin with a mask of the valid pixels. Which comparison is False for NaN?",
+        (
+            "The largest of the nine values around a pixel: which step of morphology does that? It "
+            "also works on float32."
+        ),
+        "Mark invalid pixels by 0, smaller than every depth. Repeat while there are any left.",
+    ),
+    visible=_visible,
+    hidden=_hidden,
+    imports=("import cv2", "import numpy as np"),
+    absorbed=(
+        Absorbed("average", "nearest-surface", "one value is taken: the mean or the smallest"),
+    ),
+)

@@ -1,0 +1,140 @@
+"""Step 4: where the largest object is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+import numpy as np
+
+import labutils
+from solutions._cases import make_mask
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
+    contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    choose = min if "not-the-largest" in mistakes else max
+    guarded = "no-empty-case" not in mistakes
+    if guarded and not contours:
+        return None
+    chosen = choose(contours, key=cv2.contourArea)  # of nothing: ValueError
+    if guarded and cv2.contourArea(chosen) == 0:
+        return None
+    region = mask if "all-regions" in mistakes else chosen
+    moments = cv2.moments(region)
+    x, y = moments["m10"] / moments["m00"], moments["m01"] / moments["m00"]  # ZeroDivisionError
+    if "box-center" in mistakes:
+        left, top, wide, high = cv2.boundingRect(region)
+        x, y = left + (wide - 1) / 2, top + (high - 1) / 2
+    if "fractions" not in mistakes:
+        x, y = int(x), int(y)
+    return (y, x) if "row-column" in mistakes else (x, y)
+
+
+def _make_line(height: int, width: int) -> np.ndarray:
+    mask = np.zeros((height, width), dtype=np.uint8)
+    mask[height // 3, 4 : width // 2] = 255
+    return mask
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(61)
+    return (
+        Case("a large region and two small ones", (make_mask(rng, 48, 70),)),
+        Case("a picture that is higher than wide", (make_mask(rng, 78, 52),)),
+        Case("an empty mask", (np.zeros((20, 30), dtype=np.uint8),)),
+        Case("a line of one pixel's width, which has no area", (_make_line(20, 30),)),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    height, width = map(int, rng.integers(40, 90, size=2))
+    return (
+        Case("wide", (make_mask(rng, 50, 80),)),
+        Case("high", (make_mask(rng, 84, 56),)),
+        Case("any", (make_mask(rng, 60, 90)[:, ::-1].copy(),)),
+        Case("empty", (np.zeros((height, width), dtype=np.uint8),)),
+        Case("a line", (_make_line(height, width),)),
+    )
+
+
+EXERCISE = Exercise(
+    name="find_object_centroid",
+    title="find the center of the largest object",
+    step=4,
+    place=2,
+    points=8,
+    section="step4-clean",
+    objectives=("4d",),
+    reference=labutils.find_object_centroid,
+    answer_with=_answer_with,
+    parts=(
+        Part(
+            "centroid",
+            "pixel",
+            "int",
+            atol=1,
+            unit="px",
+            nullable=True,
+            note="None stands for: no object, or one without area",
+        ),
+    ),
+    tolerance_reason=(
+        "one pixel: the mean of the pixels and the moments of the outline differ by less, and "
+        "rounding down or to the nearest is free; every mistake is several pixels off"
+    ),
+    misconceptions=(
+        Misconception(
+            "row-column",
+            "your answer is (row, column). cv2 draws at (x, y): the column comes first, although "
+            "arrays are indexed [y, x].",
+        ),
+        Misconception(
+            "all-regions",
+            "you take the center of everything white, which lies between the objects. Keep the "
+            "contour with the largest area only.",
+        ),
+        Misconception(
+            "not-the-largest",
+            "you take a small region, not the largest. The order of contours means nothing: "
+            "choose by cv2.contourArea.",
+        ),
+        Misconception(
+            "box-center",
+            "this is the middle of the bounding box. The center of mass of a lopsided shape lies "
+            "elsewhere: divide m10 and m01 by m00.",
+        ),
+        Misconception(
+            "fractions",
+            "the place is right, but it is given in fractions. cv2.circle takes whole pixels: "
+            "return two ints.",
+        ),
+        Misconception(
+            "no-empty-case",
+            "a mask without an object stops your program. Ask for it first, and return None; also "
+            "where the area m00 is zero.",
+        ),
+    ),
+    hints=(
+        (
+            "cv2.findContours gives one outline per region. What does max need to know to find the "
+            "largest of them?"
+        ),
+        "cv2.moments counts area (m00) and area times place (m10, m01). What is the mean place?",
+        (
+            "What should a robot hear when there is nothing to see? Think of an empty mask, and "
+            "of a line without any area."
+        ),
+    ),
+    visible=_visible,
+    hidden=_hidden,
+    imports=("import cv2", "import numpy as np"),
+    absorbed=(
+        Absorbed(
+            "all-regions",
+            "not-the-largest",
+            "the center of all regions does not depend on which of them is chosen",
+        ),
+    ),
+)

@@ -1,0 +1,170 @@
+"""Challenge of step 5: find the table in a cloud and level the cloud with it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solutions._cases import make_rotation
+from solutions._model import Case, Exercise, Misconception, Part
+
+#: Points this close to the plane belong to the table, in meters.
+_TABLE = 0.01
+
+
+def level_cloud(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Find the table top in a cloud and turn the cloud so that the table is the plane z = 0.
+
+    The table holds more points than any other plane. Its points lie within 2 mm of it, all others
+    at least 30 mm away. Fit the plane to *all* points of the table by least squares (distances
+    perpendicular to the plane): three points alone are not accurate enough. RANSAC finds which
+    points those are; start its random generator from a fixed seed, so that it answers the same
+    every time.
+
+    Parameters
+    ----------
+    points : ndarray, float64, (N, 3)
+        Points in the camera frame, meters; the camera is at the origin and above the table.
+
+    Returns
+    -------
+    plane : ndarray, float64, (4,)
+        (a, b, c, d) with a unit normal n = (a, b, c) and n . p + d = 0 on the table. The sign is
+        such that d > 0: the normal points to the side of the camera.
+    leveled : ndarray, float64, (N, 3)
+        R p + (0, 0, d) for every point p, in the order of the input. R is the smallest rotation
+        that turns n into (0, 0, 1): its axis is the cross product of n and (0, 0, 1). So z is the
+        height above the table.
+    """
+    rng = np.random.default_rng(0)
+    best = np.zeros(len(points), dtype=bool)
+    for _ in range(100):
+        a, b, c = points[rng.choice(len(points), 3, replace=False)]
+        normal = np.cross(b - a, c - a)
+        length = np.linalg.norm(normal)
+        if length < 1e-9:
+            continue  # three points on a line
+        inliers = np.abs((points - a) @ normal) < _TABLE * length
+        if inliers.sum() > best.sum():
+            best = inliers
+    for _ in range(3):  # a fit to the first inliers finds those that their plane missed
+        center = points[best].mean(axis=0)
+        normal = np.linalg.svd(points[best] - center)[2][2]
+        best = np.abs((points - center) @ normal) < _TABLE
+    offset = -normal @ center
+    if offset < 0:
+        normal, offset = -normal, -offset
+    x, y, z = normal
+    turn = np.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])
+    rotation = np.eye(3) + turn + turn @ turn / (1 + z)
+    return np.append(normal, offset), points @ rotation.T + [0, 0, offset]
+
+
+def _answer_with(mistakes: frozenset[str], points: np.ndarray) -> Any:
+    if "all-points" in mistakes:
+        center = points.mean(axis=0)
+        _, vectors = np.linalg.eigh(np.cov((points - center).T))
+        normal = vectors[:, 0]
+        normal = normal * -np.sign(normal @ center)
+    else:
+        plane, _ = level_cloud(points)
+        normal, center = plane[:3], -plane[3] * plane[:3]
+    offset = -normal @ center
+    if "normal-down" in mistakes:
+        normal, offset = -normal, -offset
+    up = np.array([0.0, 1, 0] if "to-the-y-axis" in mistakes else [0, 0, 1])
+    cross = np.cross(normal, up)
+    turn = np.array([[0, -cross[2], cross[1]], [cross[2], 0, -cross[0]], [-cross[1], cross[0], 0]])
+    rotation = np.eye(3) + turn + turn @ turn / (1 + normal @ up)
+    if "turned-back" in mistakes:
+        rotation = rotation.T
+    shift = 0 * up if "not-shifted" in mistakes else offset * up
+    return np.append(normal, offset), points @ rotation.T + shift
+
+
+def _make_case(rng: np.random.Generator, label: str) -> Case:
+    """Make a table with things on it and a floor below, seen by a camera that looks down at it."""
+    table = rng.uniform([-0.6, -0.4, -0.0008], [0.6, 0.4, 0.0008], size=(120, 3))
+    things = rng.uniform([-0.3, -0.2, 0.03], [0.1, 0.3, 0.3], size=(50, 3))
+    floor = rng.uniform([-1.5, -1, -0.72], [1.5, 1, -0.68], size=(40, 3))
+    points = rng.permutation(np.concatenate([table, things, floor]))
+    while True:
+        rotation = make_rotation(rng)  # table to camera
+        # Not about the poles of z and y, where the smallest rotation is not unique.
+        if abs(rotation[2, 2]) < 0.9 and abs(rotation[1, 2]) < 0.9:
+            break
+    camera = rng.uniform([-0.8, -0.3, 0.5], [-0.5, 0.3, 0.9])
+    return Case(label, (np.round((points - camera) @ rotation.T, 6),))
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(110)
+    return _make_case(rng, "a table, things on it, and a floor"), _make_case(rng, "another camera")
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    return tuple(_make_case(rng, f"table {number}") for number in range(3))
+
+
+EXERCISE = Exercise(
+    name="level_cloud",
+    title="find the table and level the cloud",
+    step=5,
+    place=13,
+    points=0,
+    section="step5-world",
+    objectives=("5c", "5d"),
+    reference=level_cloud,
+    answer_with=_answer_with,
+    parts=(
+        Part("plane", "vector", "float", atol=2e-4),
+        Part("leveled", "rows", "float", atol=2e-4, unit="m"),
+    ),
+    tolerance_reason=(
+        "whoever fits all points of the table gets the same plane, whatever the random choice; a "
+        "plane through three of them is off by a millimeter"
+    ),
+    misconceptions=(
+        Misconception(
+            "all-points",
+            "you fit one plane to all points: things on the table and the floor tilt it. Find the "
+            "points of the table first.",
+        ),
+        Misconception(
+            "normal-down",
+            "the normal points away from the camera, so heights are negative. Where d is not "
+            "positive, change the sign of all four numbers.",
+        ),
+        Misconception(
+            "turned-back",
+            "you apply the inverse rotation. For points in rows, R p for every p is points @ R.T.",
+        ),
+        Misconception(
+            "not-shifted",
+            "the cloud is turned, but the table is not at zero. Add d to the coordinate along the "
+            "normal.",
+        ),
+        Misconception(
+            "to-the-y-axis",
+            "you turn the normal to the y axis. In a leveled frame z points up: turn it to "
+            "(0, 0, 1).",
+        ),
+    ),
+    hints=(
+        (
+            "RANSAC: draw three points, make a plane, count points near it. Do this a hundred "
+            "times and keep the plane with most."
+        ),
+        (
+            "Refit: the normal is the direction in which the table's points vary least, the last "
+            "row of Vt in np.linalg.svd of the centered points."
+        ),
+        (
+            "With v = n x (0, 0, 1), c = n . (0, 0, 1) and V the matrix with V p = v x p: "
+            "R = I + V + V V / (1 + c)."
+        ),
+    ),
+    visible=_visible,
+    hidden=_hidden,
+)

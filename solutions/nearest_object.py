@@ -1,0 +1,206 @@
+"""Challenge of step 4: the nearest object that fits into the hand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solutions._cases import make_rotation
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def nearest_object(
+    labels: np.ndarray,
+    depth_metric: np.ndarray,
+    K: np.ndarray,
+    T_world_cam: np.ndarray,
+    max_width: float,
+) -> tuple[int, np.ndarray] | tuple[None, None]:
+    """Choose the nearest object that the hand can take, and say where it is.
+
+    Only pixels with a valid depth count (above 0.01 m, below 10 m). The points behind the valid
+    pixels of an object give its width (largest minus smallest x in the camera frame) and its
+    position (median of x, median of y, median of z in the camera frame). The nearest object is
+    the one whose position has the smallest distance from the camera, among those that are at most
+    `max_width` wide.
+
+    Parameters
+    ----------
+    labels : ndarray, int32, (H, W)
+        0 for the background, 1, 2, 3 ... for the pixels of an object.
+    depth_metric : ndarray, float32, (H, W)
+        Meters along the optical axis; the pixels of an object may include invalid ones.
+    K : ndarray, float64, (3, 3)
+        Intrinsic matrix.
+    T_world_cam : ndarray, float64, (4, 4)
+        Pose of the camera (x right, y down, z forward): it maps camera points into the world.
+    max_width : float
+        How far the hand opens, meters.
+
+    Returns
+    -------
+    label : int or None
+        Which object; None where none fits.
+    position_world : ndarray, float64, (3,), or None
+        Its position, moved into the world frame, meters; None where none fits.
+    """
+    best_label, best_distance, best_position = None, np.inf, None
+    valid = (depth_metric > 0.01) & (depth_metric < 10)
+    for label in range(1, labels.max() + 1):
+        v, u = np.nonzero(valid & (labels == label))
+        z = depth_metric[v, u].astype(np.float64)
+        x, y = (u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z
+        position = np.array([np.median(x), np.median(y), np.median(z)])
+        distance = np.linalg.norm(position)
+        if np.ptp(x) <= max_width and distance < best_distance:
+            best_label, best_distance = label, distance
+            best_position = T_world_cam[:3, :3] @ position + T_world_cam[:3, 3]
+    return best_label, best_position
+
+
+def _answer_with(
+    mistakes: frozenset[str],
+    labels: np.ndarray,
+    depth_metric: np.ndarray,
+    K: np.ndarray,
+    T_world_cam: np.ndarray,
+    max_width: float,
+) -> Any:
+    valid = (depth_metric > 0.01) & (depth_metric < 10)
+    if "invalid-kept" in mistakes:
+        valid[:] = True
+    middle = np.mean if "mean-position" in mistakes else np.median
+    candidates = []
+    for label in np.unique(labels[labels > 0]):
+        v, u = np.nonzero(valid & (labels == label))
+        pixels = np.stack([u, v, np.ones_like(u)])
+        points = (np.linalg.inv(K) @ pixels * depth_metric[v, u]).T
+        position = middle(points, axis=0)
+        if np.ptp(points[:, 0]) > max_width and "any-width" not in mistakes:
+            continue
+        distance = position[2] if "depth-only" in mistakes else np.sqrt((position**2).sum())
+        candidates.append((distance, int(label), position))
+    if not candidates:
+        return None, None
+    _, label, position = min(candidates, key=lambda candidate: candidate[0])
+    if "camera-frame" in mistakes:
+        return label, position
+    pose = np.linalg.inv(T_world_cam) if "pose-inverted" in mistakes else T_world_cam
+    return label, (pose @ [*position, 1])[:3]
+
+
+def _make_case(rng: np.random.Generator, label: str, *, max_width: float = 0.25) -> Case:
+    """Make five objects: near but wide, near but to the side, nearest by distance, and two far."""
+    height, width = 48, 72
+    focal_px = float(rng.uniform(58, 64))
+    K = np.array([[focal_px, 0, 35.1], [0, 1.1 * focal_px, 24.2], [0, 0, 1]])
+    labels = np.zeros((height, width), dtype=np.int32)
+    depth = np.full((height, width), 2.6, dtype=np.float32)
+    near = float(rng.uniform(0.95, 1.05))
+    # Left, top, columns, rows, depth. By depth the second is nearest, then the first, which is too
+    # wide; by distance the first, then the third. The last two differ in the same way.
+    shapes = [
+        (22, 3, 30, 9, near - 0.04),
+        (1, 18, 7, 20, near - 0.06),
+        (31, 20, 9, 11, near + 0.01),
+    ]
+    shapes += [(42, 16, 8, 12, near + 0.5), (62, 30, 8, 12, near + 0.44)]
+    numbers = rng.permutation([1, 2, 3, 4, 5])
+    for number, (left, top, columns, rows, z) in zip(numbers, shapes, strict=True):
+        where = np.s_[top : top + rows, left : left + columns]
+        labels[where] = number
+        depth[where] = z + rng.uniform(-0.004, 0.004, size=(rows, columns))
+        depth[top : top + rows // 4, left : left + columns] += 0.06  # a part that stands back
+        if z < near + 0.4:  # all but the last two have pixels that measured nothing
+            depth[top + rows - 1, left : left + 3] = (0, 12, 12)
+            depth[top + rows - 1, left + columns - 2 : left + columns] = 12
+    T_world_cam = np.eye(4)
+    T_world_cam[:3, :3], T_world_cam[:3, 3] = make_rotation(rng), rng.uniform(-1, 1, size=3)
+    return Case(label, (labels, depth, np.round(K, 3), np.round(T_world_cam, 6), max_width))
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(107)
+    return (
+        _make_case(rng, "five objects on a table"),
+        _make_case(rng, "the same table, another camera"),
+        _make_case(rng, "a hand that is too small for all of them", max_width=0.03),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    return (
+        *(_make_case(rng, f"table {number}") for number in range(3)),
+        _make_case(rng, "too small a hand", max_width=0.02),
+    )
+
+
+EXERCISE = Exercise(
+    name="nearest_object",
+    title="choose the nearest object that the hand can take",
+    step=4,
+    place=12,
+    points=0,
+    section="step4-locate",
+    objectives=("4e", "5c"),
+    reference=nearest_object,
+    answer_with=_answer_with,
+    parts=(
+        Part("label", "choice", "int", nullable=True, note="None stands for: no object fits"),
+        Part(
+            "position_world",
+            "vector",
+            "float",
+            atol=2e-4,
+            unit="m",
+            nullable=True,
+            note="None exactly where no object fits",
+        ),
+    ),
+    tolerance_reason=(
+        "0.2 mm lies above the rounding of float32, and far below the half centimeter between "
+        "median and mean"
+    ),
+    misconceptions=(
+        Misconception(
+            "any-width",
+            "you choose an object that is too wide for the hand. Compare its width with max_width "
+            "before you compare distances.",
+        ),
+        Misconception(
+            "depth-only",
+            "you compare depths. Depth is measured along the optical axis; an object at the side "
+            "is farther away than its depth.",
+            section="step3-range",
+        ),
+        Misconception(
+            "invalid-kept",
+            "pixels without a measurement take part: a depth of 12 m makes an object wide. Keep "
+            "the valid ones only.",
+            section="step3-invalid",
+        ),
+        Misconception(
+            "camera-frame",
+            "the position is in the camera frame. An arm works in the world: apply T_world_cam.",
+            section="step5-world",
+        ),
+        Misconception(
+            "mean-position",
+            "you take the mean. Parts that stand back pull it away: the median does not move.",
+        ),
+        Misconception(
+            "pose-inverted",
+            "you apply the inverse pose. T_world_cam maps camera points into the world as it is.",
+            section="step5-world",
+        ),
+    ),
+    hints=(
+        "For one object: a mask, the points behind it, a width and a position. Then a loop.",
+        "x = (u - cx) z / fx, y likewise. Which pixels have a depth that you can trust?",
+        "Compare distances in the camera frame, where the camera is at 0. Which step comes last?",
+    ),
+    visible=_visible,
+    hidden=_hidden,
+    absorbed=(Absorbed("camera-frame", "pose-inverted", "without a pose there is none to invert"),),
+)

@@ -1,0 +1,169 @@
+"""Challenge of step 6: read a cloud back from the text of a PLY file."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solutions._model import Case, Exercise, Misconception, Part
+
+
+def read_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
+    """Read points and colors from the text of an ASCII PLY file.
+
+    The header ends with the line ``end_header``. Its line ``element vertex N`` says that the first
+    N lines after the header hold one point each, with one number per ``property`` line that
+    follows ``element vertex``, in that order. Points have x, y and z, and either red, green and
+    blue (0 to 255) or none of the three, in any order among other properties. There may be
+    ``comment`` lines, and other elements after the vertices.
+
+    Parameters
+    ----------
+    text : str
+        The whole file.
+
+    Returns
+    -------
+    points : ndarray, float64, (N, 3)
+        x, y, z.
+    colors : ndarray, float64, (N, 3), or None
+        Red, green, blue from 0 to 1, or None where the file has no colors.
+    """
+    lines = text.splitlines()
+    end = lines.index("end_header")
+    count, names, element = 0, [], ""
+    for words in (line.split() for line in lines[:end]):
+        if words[0] == "element":
+            element = words[1]
+            if element == "vertex":
+                count = int(words[2])
+        elif words[0] == "property" and element == "vertex":
+            names.append(words[-1])
+    rows = [line.split() for line in lines[end + 1 : end + 1 + count]]
+    table = np.array(rows, dtype=np.float64)
+    points = table[:, [names.index(axis) for axis in "xyz"]]
+    if "red" not in names:
+        return points, None
+    return points, table[:, [names.index(name) for name in ("red", "green", "blue")]] / 255
+
+
+def _answer_with(mistakes: frozenset[str], text: str) -> Any:
+    header, _, body = text.partition("end_header\n")
+    vertex = header.partition("element vertex ")[2].partition("element ")[0].splitlines()
+    names = [line.split()[-1] for line in vertex[1:] if line.startswith("property")]
+    has_colors = "red" in names
+    if "fixed-columns" in mistakes:
+        names = ["x", "y", "z", "red", "green", "blue"]
+    count = len(body.splitlines()) if "other-elements-read" in mistakes else int(vertex[0])
+    first = 1 if "first-point-lost" in mistakes else 0
+    rows = [[float(word) for word in line.split()] for line in body.splitlines()[first:count]]
+    points = [[row[names.index(axis)] for axis in "xyz"] for row in rows]
+    if not has_colors:
+        return np.array(points), None
+    channels = ["red", "green", "blue"]
+    if "blue-first" in mistakes:
+        channels.reverse()
+    colors = np.array([[row[names.index(name)] for name in channels] for row in rows])
+    return np.array(points), colors if "colors-to-255" in mistakes else colors / 255
+
+
+def _make_text(rng: np.random.Generator, names: tuple[str, ...], faces: int = 0) -> str:
+    count = int(rng.integers(6, 12))
+    kinds = {name: "uchar" if name in ("red", "green", "blue") else "float" for name in names}
+    header = ["ply", "format ascii 1.0", "comment a cloud of the lab", f"element vertex {count}"]
+    header += [f"property {kinds[name]} {name}" for name in names]
+    if faces:
+        header += [f"element face {faces}", "property list uchar int vertex_indices"]
+    rows = [
+        " ".join(
+            str(rng.integers(0, 256)) if kinds[name] == "uchar" else f"{rng.uniform(-2, 2):.4f}"
+            for name in names
+        )
+        for _ in range(count)
+    ]
+    # Quads with many corners: as many numbers as a point has, so that reading on does not stop.
+    corners = [" ".join(map(str, [7, *rng.integers(0, count, size=7)])) for _ in range(faces)]
+    return "\n".join([*header, "end_header", *rows, *corners]) + "\n"
+
+
+_COLORED = ("x", "y", "z", "red", "green", "blue")
+_SHUFFLED = ("red", "green", "blue", "quality", "z", "x", "y")
+
+
+def _visible() -> tuple[Case, ...]:
+    rng = np.random.default_rng(113)
+    return (
+        Case("points with colors", (_make_text(rng, _COLORED),)),
+        Case("points without colors, then faces", (_make_text(rng, ("x", "y", "z"), faces=4),)),
+        Case("properties in another order, then faces", (_make_text(rng, _SHUFFLED, faces=3),)),
+    )
+
+
+def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    return (
+        Case("plain", (_make_text(rng, ("x", "y", "z")),)),
+        Case("colors", (_make_text(rng, _COLORED, faces=2),)),
+        Case("shuffled", (_make_text(rng, tuple(rng.permutation(_SHUFFLED)), faces=3),)),
+    )
+
+
+EXERCISE = Exercise(
+    name="read_ply",
+    title="read a cloud back from its file",
+    step=6,
+    place=13,
+    points=0,
+    section="step6-files",
+    objectives=("6d",),
+    reference=read_ply,
+    answer_with=_answer_with,
+    parts=(
+        Part("points", "cloud", "float", atol=1e-5, unit="m"),
+        Part(
+            "colors",
+            "attached",
+            "float",
+            atol=1e-3,
+            low=0.0,
+            high=1.0,
+            nullable=True,
+            note="None exactly where the file has no colors",
+        ),
+    ),
+    tolerance_reason=(
+        "the file has four decimals; single precision keeps them. Colors: a quarter of a level of "
+        "255"
+    ),
+    misconceptions=(
+        Misconception(
+            "fixed-columns",
+            "you take it for granted that the columns are x, y, z, red, green, blue. The header "
+            "names them in their order: look them up.",
+        ),
+        Misconception(
+            "other-elements-read",
+            "you read to the end of the file. After the vertices come other elements: stop after "
+            "as many lines as the header says.",
+        ),
+        Misconception(
+            "first-point-lost",
+            "the first point is missing. The data begin on the line right after end_header.",
+        ),
+        Misconception(
+            "colors-to-255",
+            "the file has colors from 0 to 255. In a cloud they go from 0 to 1: divide by 255.",
+        ),
+        Misconception(
+            "blue-first",
+            "red and blue are exchanged. A PLY file says which number is red: no BGR here.",
+        ),
+    ),
+    hints=(
+        "str.splitlines and list.index find where the header ends. What does it tell you before?",
+        "Collect the names of the vertex properties. names.index('x') is the column of x.",
+        "How many lines are points? Which lines come after them, and do you need those?",
+    ),
+    visible=_visible,
+    hidden=_hidden,
+)

@@ -1,0 +1,135 @@
+"""Step 4: a mask of one color."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cv2
+import numpy as np
+
+import labutils
+from solutions._cases import make_color_scene
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+
+def _answer_with(mistakes: frozenset[str], rgb_image: np.ndarray, target_hsv_range: Any) -> Any:
+    code = cv2.COLOR_BGR2HSV if "bgr" in mistakes else cv2.COLOR_RGB2HSV
+    hsv = cv2.cvtColor(rgb_image, code).astype(np.int64)
+    if "hue-in-degrees" in mistakes:
+        hsv[..., 0] *= 2
+    low, high = np.array(target_hsv_range)
+    if "limits-excluded" in mistakes:
+        above, below = hsv > low, hsv < high
+    else:
+        above, below = hsv >= low, hsv <= high
+    hue = above[..., 0] & below[..., 0]
+    if low[0] > high[0] and "no-wrap" not in mistakes:
+        hue = above[..., 0] | below[..., 0]
+    inside = hue & (above & below)[..., 1:].all(axis=2)
+    mask = inside.astype(np.uint8) * 255
+    if "no-cleaning" in mistakes:
+        return mask
+    kernel = np.ones((3, 3) if "small-kernel" in mistakes else (5, 5), np.uint8)
+    steps = [cv2.MORPH_OPEN, cv2.MORPH_CLOSE]
+    if "close-first" in mistakes:
+        steps.reverse()
+    for step in steps:
+        mask = cv2.morphologyEx(mask, step, kernel)
+    return mask
+
+
+def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    """Ask for colors of the picture whose limits are met exactly by some of its pixels."""
+    cases = []
+    for label, low, high in (
+        ("red, which wraps around hue 0", 175, 3),
+        ("green", 60, 90),
+        ("yellow and orange", 14, 30),
+        ("blue", 106, 121),
+    ):
+        height, width = map(int, rng.integers((48, 60), (58, 76)))
+        limits = ((low, int(rng.integers(90, 120)), int(rng.integers(60, 110))), (high, 255, 255))
+        cases.append(Case(label, (make_color_scene(rng, height, width), limits)))
+    return tuple(cases)
+
+
+_NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"
+
+EXERCISE = Exercise(
+    name="segment_by_color",
+    title="mark the pixels of one color",
+    step=4,
+    place=1,
+    points=12,
+    section="step4-hsv",
+    objectives=("4a", "4b", "4c"),
+    reference=labutils.segment_by_color,
+    answer_with=_answer_with,
+    parts=(Part("mask", "mask", "uint8", atol=0, share=0.001, values=(0, 255)),),
+    tolerance_reason=(
+        "one pixel in a thousand: conversions of one's own may round a hue differently at a limit; "
+        "every mistake changes whole objects or their outlines"
+    ),
+    misconceptions=(
+        Misconception(
+            "bgr",
+            "red and blue are exchanged before you look at the hue: the picture is RGB, so convert "
+            "it with cv2.COLOR_RGB2HSV.",
+        ),
+        Misconception(
+            "no-wrap",
+            "red is missing. Its hues lie on both sides of 0: where the low hue is larger than the "
+            "high one, take hues above low OR below high.",
+            section="step4-red-wrap",
+        ),
+        Misconception(
+            "hue-in-degrees",
+            "your hues go up to 359. OpenCV's 8-bit hue is degrees halved, 0 to 179, and the "
+            "limits are given in these units.",
+        ),
+        Misconception(
+            "no-cleaning",
+            "the specks and holes are still there. Open the mask, then close it, with a kernel of "
+            "5x5 ones.",
+            section="step4-clean",
+        ),
+        Misconception(
+            "close-first",
+            "you close before you open: closing joins specks to objects, and opening cannot part "
+            "them again. Open first.",
+            section="step4-clean",
+        ),
+        Misconception(
+            "limits-excluded",
+            "pixels exactly at a limit are left out. The limits belong to the range: use <= and "
+            ">=, as cv2.inRange does.",
+        ),
+        Misconception(
+            "small-kernel",
+            "your kernel is 3x3: specks survive that 5x5 ones remove. Use np.ones((5, 5), "
+            "np.uint8).",
+            section="step4-clean",
+        ),
+    ),
+    hints=(
+        (
+            "Convert, compare, clean: three lines of cv2. In which order do the channels of the "
+            "picture come?"
+        ),
+        (
+            "A low hue of 174 and a high hue of 3 is no mistake in the call: red lies on both "
+            "sides of zero. Which two ranges does it consist of?"
+        ),
+        (
+            "Opening removes what is smaller than the kernel, closing fills what is smaller. "
+            "Which of the two has to come first if specks must not grow?"
+        ),
+    ),
+    visible=lambda: _make_cases(np.random.default_rng(51)),
+    hidden=_make_cases,
+    imports=("import cv2", "import numpy as np"),
+    absorbed=(
+        Absorbed("no-cleaning", "close-first", _NOT_CLEANED),
+        Absorbed("no-cleaning", "small-kernel", _NOT_CLEANED),
+    ),
+)

@@ -1,0 +1,235 @@
+"""Nothing that learners get holds a solution, a hidden case, or a note for instructors."""
+
+import ast
+import io
+import os
+import subprocess
+import sys
+import zipfile
+from dataclasses import replace
+
+import nbformat
+import numpy as np
+import pytest
+from make_student import make_files, pack
+
+from labutils.checks.table import Part
+from solutions import load_exercises
+from tests.helpers.leaks import (
+    ROOT,
+    collect_secrets,
+    find_leaks,
+    get_lines,
+    read_document,
+    read_documents,
+)
+
+HTML = ROOT / "_build" / "html"
+NOTES = sorted((ROOT / "solutions" / "notes").glob("*.md"))
+
+
+# A challenge as somebody might write it: its answer is in no library.
+def count_bright_regions(depth_raw, near, far):
+    """Count what is bright."""
+    threshold = np.percentile(depth_raw, 87.5) + near / (far + 3)
+    labels = _spread_labels(
+        depth_raw > threshold,  # no fingerprint may depend on a comment
+        rounds=int(far * 41 + 7),
+    )
+    return np.unique(labels[labels > 0]).size
+
+
+def _spread_labels(bright, rounds):
+    labels = np.where(bright, np.arange(bright.size).reshape(bright.shape) + 1, 0)
+    for _ in range(rounds):
+        labels = np.where(bright, np.maximum(labels, np.roll(labels, 1, axis=0)), 0)
+    return labels
+
+
+@pytest.fixture(scope="module")
+def challenge():
+    card = load_exercises()["process_depth"]
+    return replace(
+        card,
+        name="count_bright_regions",
+        reference=count_bright_regions,
+        answer_with=count_bright_regions,
+        parts=(Part("count", "number", "int"),),
+        tolerance_reason="a count of bright regions is right or wrong, there is nothing in between",
+    )
+
+
+@pytest.fixture(scope="module")
+def secrets():
+    return collect_secrets(load_exercises().values(), NOTES)
+
+
+@pytest.fixture(scope="module")
+def challenge_secrets(challenge):
+    return collect_secrets([challenge], NOTES)
+
+
+@pytest.fixture(scope="module")
+def student_zip():
+    return pack(make_files())
+
+
+SOLUTION = """def mine(depth_raw, near, far):
+    threshold = np.percentile(depth_raw, 87.5) + near / (far + 3)
+    labels = _spread(depth_raw > threshold)
+"""
+
+
+def test_every_card_leaves_fingerprints(secrets):
+    seen = {secret.origin.split(":")[0] for secret in secrets}
+    assert set(load_exercises()) | {path.name for path in NOTES} <= seen
+    for exercise in load_exercises().values():
+        lines = [
+            line for one in secrets if one.origin.startswith(exercise.name) for line in one.lines
+        ]
+        assert lines, exercise.name
+
+
+def test_fingerprints_are_lines_of_code_without_comments_and_breaks():
+    lines = get_lines(count_bright_regions)
+    assert lines[0] == "threshold=np.percentile(depth_raw,87.5)+near/(far+3)"
+    assert lines[1] == "labels=_spread_labels(depth_raw>threshold,rounds=int(far*41+7),)"
+    assert "Countwhatisbright" not in "".join(lines)
+
+
+def make_page(code):
+    """Write code the way Sphinx does, every token in a tag of its own."""
+    spans = "".join(f"<span class='n'>{c}</span>".replace(">>", ">&gt;") for c in code)
+    return f"<html><pre>{spans}</pre></html>".encode()
+
+
+def make_notebook(code):
+
+    cells = [nbformat.v4.new_code_cell(code)]
+    return nbformat.writes(nbformat.v4.new_notebook(cells=cells)).encode()
+
+
+def make_archive(name, content):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        archive.writestr(name, content)
+    return buffer.getvalue()
+
+
+def make_arrays(name):
+    buffer = io.BytesIO()
+    np.savez(buffer, **{name: np.zeros(3)})
+    return buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("book/page.html", make_page(SOLUTION)),
+        ("_sources/page.md", SOLUTION.replace("    ", "\t").encode()),
+        ("_sources/page.ipynb", make_notebook(SOLUTION)),
+        ("searchindex.js", b'Search.setIndex({"terms":{"_spread_labels":3}})'),
+        ("_static/quiz.json", b'{"feedback": "see _spread_labels"}'),
+        ("lab.zip", make_archive("a/b.py", SOLUTION)),
+        ("lab.zip", make_archive("a/table.npz", make_arrays("_spread_labels"))),
+        (
+            "page.html",
+            "<p>Right or wrong: A count of bright regions is right or wrong, there"
+            " is nothing <em>in between</em></p>".replace("A count", "a count").encode(),
+        ),
+    ],
+    ids=["page", "source", "notebook", "search", "quiz", "zip", "arrays", "reason"],
+)
+def test_a_planted_leak_is_found(tmp_path, challenge_secrets, name, content):
+    path = tmp_path / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / "clean.html").write_text("<p>nothing here</p>")
+    assert find_leaks(challenge_secrets, read_documents(tmp_path)) == []
+    path.write_bytes(content)
+    found = find_leaks(challenge_secrets, read_documents(tmp_path))
+    assert found
+    assert all(line.startswith(name) for line in found)
+
+
+def test_planted_notes_and_hidden_cases_of_real_cards_are_found(tmp_path, secrets):
+    (tmp_path / "notes.html").write_bytes(make_page(NOTES[0].read_text(encoding="utf-8")))
+    (tmp_path / "card.md").write_text((ROOT / "solutions/process_depth.py").read_text("utf-8"))
+    found = find_leaks(secrets, read_documents(tmp_path))
+    assert any(line.startswith("notes.html: step1.md") for line in found)
+    assert any(line.startswith("card.md: process_depth: _hidden") for line in found)
+
+
+def test_a_common_line_alone_is_no_leak(challenge_secrets):
+    page = "<p>return np.unique(labels[labels > 0]).size</p>"
+    documents = list(read_document("page.html", page.encode()))
+    assert find_leaks(challenge_secrets, documents) == []
+
+
+def test_the_questions_hold_no_leak(secrets):
+    assert find_leaks(secrets, read_documents(ROOT / "exercises")) == []
+
+
+def test_the_student_zip_holds_no_leak(secrets, student_zip):
+    assert find_leaks(secrets, read_document("student.zip", student_zip)) == []
+
+
+def test_the_student_zip_holds_none_of_our_rooms(student_zip):
+    with zipfile.ZipFile(io.BytesIO(student_zip)) as archive:
+        names = [name.split("/", 1)[1] for name in archive.namelist()]
+    assert not [
+        name for name in names if name.startswith(("solutions", "tests", "tools", "grader"))
+    ]
+    assert {name.split("/")[0] for name in names} <= {
+        "LICENSE",
+        "LICENSE-TEXT",
+        "README.md",
+        "apt.txt",
+        "assets",
+        "book",
+        "exercises",
+        "labutils",
+        "pyproject.toml",
+        "requirements.txt",
+    }
+
+
+def test_solutions_cannot_be_imported_from_the_student_zip(tmp_path, student_zip):
+    with zipfile.ZipFile(io.BytesIO(student_zip)) as archive:
+        archive.extractall(tmp_path)
+    (folder,) = tmp_path.iterdir()
+    tried = subprocess.run(
+        [sys.executable, "-c", "import labutils; print(labutils.__file__); import solutions"],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(folder)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert str(folder) in tried.stdout
+    assert "No module named 'solutions'" in tried.stderr
+
+
+def test_the_library_never_imports_the_solutions():
+    for path in (ROOT / "labutils").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            names = [alias.name for alias in getattr(node, "names", [])]
+            names.append(getattr(node, "module", None) or "")
+            assert not any(name.split(".")[0] == "solutions" for name in names), path
+
+
+@pytest.mark.slow
+def test_the_built_book_holds_no_leak(secrets):
+    if not (HTML / "index.html").is_file():
+        done = subprocess.run(
+            [sys.executable, "tools/build_book.py"],
+            cwd=ROOT,
+            env={**os.environ, "EDITION": "student"},
+            check=False,
+        )
+        assert done.returncode == 0
+    documents = list(read_documents(HTML))
+    kinds = {name.rsplit(".", 1)[-1] for name, _ in documents}
+    assert {"html", "ipynb", "js", "inv"} <= kinds
+    assert "searchindex.js" in {name for name, _ in documents}
+    assert find_leaks(secrets, documents) == []
+    assert not list(HTML.rglob("*solutions*"))

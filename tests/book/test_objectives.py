@@ -1,0 +1,131 @@
+"""The map of the learning objectives: nothing hangs in the air, in either direction."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import make_objectives
+import pytest
+from make_objectives import find_problems, make_table, read_book
+from quiz_items import Choice, Item
+
+
+@pytest.fixture
+def book():
+    return read_book()
+
+
+def make_item(**changes):
+    """A question about 2a that is in order."""
+    choices = tuple(Choice(text, "Because.", text == "a") for text in "abc")
+    fields = {"page": "step2_intrinsics", "id": "zz", "section": "step2-focal", "question": "?"}
+    return Item(**fields | {"choices": choices, "objective": "2a", "check": None} | changes)
+
+
+def test_every_objective_has_section_exercise_and_question(book):
+    assert find_problems(book) == []
+
+
+def test_the_six_steps_have_their_objectives(book):
+    assert [name for name in book.mapped if name.endswith("a")] == [f"{n}a" for n in range(1, 7)]
+    assert all(3 <= sum(name[0] == str(n) for name in book.mapped) <= 5 for n in range(1, 7))
+
+
+def test_the_table_is_up_to_date(capsys):
+    assert make_objectives.main(["--check"]) == 0, capsys.readouterr().err
+
+
+def test_a_stale_or_missing_table_is_noticed(tmp_path, monkeypatch, capsys, book):
+    monkeypatch.setattr(make_objectives, "read_book", lambda: book)
+    monkeypatch.setattr(make_objectives, "ROOT", tmp_path)
+    assert make_objectives.main(["--check"]) == 1
+    assert "stale: run python tools/make_objectives.py" in capsys.readouterr().err
+    (tmp_path / "book").mkdir()
+    assert make_objectives.main([]) == 0
+    assert make_objectives.main(["--check"]) == 0
+    (tmp_path / make_objectives.TABLE).write_text("old", encoding="utf-8")
+    assert make_objectives.main(["--check"]) == 1
+
+
+def test_an_orphan_stops_the_tool(monkeypatch, capsys, book):
+    monkeypatch.setattr(make_objectives, "read_book", lambda: replace(book, items=[]))
+    assert make_objectives.main([]) == 1
+    assert "objective 1a has no question" in capsys.readouterr().err
+
+
+def without(mapping, name):
+    return {key: value for key, value in mapping.items() if key != name}
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        (
+            lambda b: {"objectives": b.objectives | {"6e": ("step6_view", "new")}},
+            [f"objective 6e has no {part}" for part in ("section", "exercise", "question")],
+        ),
+        (
+            lambda b: {"objectives": without(b.objectives, "3b")},
+            [
+                "section step3-reversed-z is given for 3b, which is no objective",
+                "exercise process_depth practices 3b, which is no objective",
+                "question 3b asks for 3b, which is no objective",
+            ],
+        ),
+        (
+            lambda b: {"sections": b.sections | {"4d": "nowhere"}},
+            ["objective 4d: no heading has the label nowhere"],
+        ),
+        (
+            lambda b: {"sections": b.sections | {"4d": "step3-range"}},
+            ["objective 4d: its section step3-range is on another page"],
+        ),
+        (
+            lambda b: {"exercises": without(b.exercises, "choose_pan")},
+            ["objective 1d has no exercise"],
+        ),
+        (
+            lambda b: {"exercises": b.exercises | {"lost": [], "odd": ["9z"]}},
+            [
+                "exercise lost practices no objective",
+                "exercise odd practices 9z, which is no objective",
+            ],
+        ),
+        (
+            lambda b: {"items": [item for item in b.items if item.id != "5e"]},
+            ["objective 5e has no question"],
+        ),
+        (
+            lambda b: {"items": [*b.items, make_item(objective="3a")]},
+            ["question zz asks for 3a, which is on another page"],
+        ),
+        (
+            lambda b: {"items": [*b.items, make_item(objective=None)]},
+            ["question zz asks for no objective, but its page has some"],
+        ),
+        (
+            lambda b: {"items": [*b.items, make_item(objective="2z", section="nowhere")]},
+            [
+                "question zz: no heading has the label nowhere",
+                "question zz asks for 2z, which is no objective",
+            ],
+        ),
+        (
+            lambda b: {"items": [*b.items, make_item(section="step3-range")]},
+            ["question zz: its section step3-range is on another page"],
+        ),
+    ],
+)
+def test_every_kind_of_orphan_is_named(changes, expected, book):
+    assert find_problems(replace(book, **changes(book))) == expected
+
+
+def test_the_table_names_everything_once(book):
+    rows = make_table(book).splitlines()[4:]
+    assert len(rows) == len(book.mapped)
+    for name, row in zip(book.mapped, rows, strict=True):
+        assert row.startswith(f"| **{name}** ")
+        assert row.count(" | ") == 3
+        assert f"{{ref}}`{book.sections[name]}`" in row
+    for exercise in book.exercises:
+        assert f"{{ref}}`{exercise} <exercise-{exercise.replace('_', '-')}>`" in "".join(rows)

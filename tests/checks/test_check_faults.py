@@ -1,0 +1,90 @@
+"""What is no fault of the learner: a broken checker, damaged tables, no MuJoCo."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from labutils.checks import check, judge
+from labutils.checks.table import TABLES, TableError, load_table, read_words
+
+
+@pytest.fixture(autouse=True)
+def in_empty_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def right_depth(depth_raw, near, far):
+    return near * far / (far - np.clip(depth_raw, 0, 1) * (far - near))
+
+
+def test_fault_of_the_checker_is_not_blamed_on_the_learner(tmp_path, monkeypatch):
+    def break_down(*_):
+        raise RuntimeError("a bug of ours")
+
+    monkeypatch.setattr("labutils.checks.find_failure", break_down)
+    verdict = check("process_depth", right_depth)
+    assert (verdict.result, verdict.passed, verdict.property) == ("not checked", False, None)
+    assert "The checker itself failed: RuntimeError: a bug of ours" in verdict.message
+    assert "no mistake of yours" in verdict.message
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("target", ["read_words", "load_table"])
+def test_damaged_installation_is_not_blamed_on_the_learner(target, monkeypatch):
+    def fail(*_):
+        raise TableError("the check tables cannot be read (gone)")
+
+    monkeypatch.setattr(f"labutils.checks.{target}", fail)
+    verdict = check("process_depth", right_depth)
+    assert verdict.result == "not checked"
+    assert "cannot be read" in verdict.message
+
+
+def test_missing_or_damaged_tables_are_reported(tmp_path):
+    with pytest.raises(TableError, match="check tables cannot be read"):
+        read_words(tmp_path)
+    (tmp_path / "exercises.json").write_bytes((TABLES / "exercises.json").read_bytes())
+    with pytest.raises(TableError, match="table of process_depth cannot be read"):
+        load_table("process_depth", tmp_path)
+
+
+def test_tables_hold_no_objects_and_no_code():
+    for path in TABLES.glob("*.npz"):
+        with np.load(path, allow_pickle=False) as stored:
+            assert all(stored[key].dtype.kind in "biufU" for key in stored.files)
+    text = (TABLES / "exercises.json").read_text(encoding="utf-8")
+    assert "lambda" not in text
+    assert json.loads(text).keys() == read_words().keys()
+
+
+def test_frozen_arrays_cannot_be_overwritten():
+    table = load_table("process_depth")
+    with pytest.raises(ValueError, match="read-only"):
+        table.expected[0][0][0, 0] = 1
+
+
+def test_checks_need_neither_mujoco_nor_matplotlib():
+    code = (
+        "import sys; sys.modules['mujoco'] = None; import labutils.checks as c;"
+        "print([m for m in ('matplotlib', 'open3d', 'ipywidgets') if m in sys.modules]);"
+        "print(c.check('camera_to_world', lambda p, t, R: p).property);"
+        "v = c.check('render_camera', lambda m, d, r, n: None); print(v.result); print(v)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    lines = done.stdout.splitlines()
+    assert lines[:3] == ["[]", "value", "not checked"]
+    assert "needs MuJoCo, which this Python does not have" in done.stdout
+    assert "Open the page as a notebook" in done.stdout
+
+
+def test_without_mujoco_every_other_exercise_is_checked(monkeypatch):
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    monkeypatch.delitem(sys.modules, "labutils.checks.scenes", raising=False)
+    for name in read_words():
+        table = load_table(name)
+        verdict = judge(table, lambda *_: 0.5)
+        due = "not checked" if table.needs_mujoco else "failed"
+        assert verdict.result == due, name

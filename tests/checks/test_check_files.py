@@ -1,0 +1,151 @@
+"""What is derived from the cards is current, and made the same way everywhere."""
+
+import hashlib
+import importlib.util
+import inspect
+import io
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from solutions import load_exercises
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def tool():
+    spec = importlib.util.spec_from_file_location(
+        "make_exercises", ROOT / "tools/make_exercises.py"
+    )
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def files(tool):
+    return tool.make_files(load_exercises())
+
+
+def test_derived_files_are_current(tool, files):
+    assert tool.find_stale(files, ROOT) == {}
+
+
+def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, capsys):
+    assert tool.main(["--root", str(tmp_path)]) == 0
+    assert tool.main(["--root", str(tmp_path), "--check"]) == 0
+    (tmp_path / tool.RUBRIC).write_text("other")
+    (tmp_path / tool.HINTS).unlink()
+    (tmp_path / tool.TABLES / "old.npz").write_bytes(b"")
+    capsys.readouterr()
+    assert tool.main(["--root", str(tmp_path), "--check"]) == 1
+    told = capsys.readouterr().out
+    for words in ("rubric.md is out of date", "hints.md is missing", "old.npz is left over"):
+        assert words in told
+    assert tool.main(["--root", str(tmp_path)]) == 0
+    assert tool.main(["--root", str(tmp_path), "--check"]) == 0
+
+
+def test_tables_are_the_same_bytes_in_another_process(files):
+    code = (
+        "import sys, hashlib; sys.path.insert(0, 'tools'); import make_exercises as m;"
+        "from solutions import load_exercises as e; f = m.make_files(e());"
+        "print(hashlib.sha256(b''.join(f[k] for k in sorted(f))).hexdigest())"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    joined = b"".join(files[path] for path in sorted(files))
+    assert done.stdout.strip() == hashlib.sha256(joined).hexdigest()
+
+
+def test_archives_hold_no_times_and_no_compression(files):
+    for path, content in files.items():
+        if path.suffix == ".npz":
+            for member in zipfile.ZipFile(io.BytesIO(content)).infolist():
+                assert member.date_time == (1980, 1, 1, 0, 0, 0)
+                assert member.compress_type == zipfile.ZIP_STORED
+
+
+def test_tables_stay_small(files, tool):
+    size = sum(len(content) for path, content in files.items() if path.parent == tool.TABLES)
+    assert size < 2_000_000  # for 22 exercises: a page in the browser loads them all
+
+
+def test_starters_hold_signature_and_docstring_and_nothing_of_the_body(files, tool):
+    for name, exercise in load_exercises().items():
+        text = files[tool.STARTERS / f"{name}.py"].decode()
+        assert f"def {name}(" in text
+        head = re.search(r"def \w+\((.*?)\):", text, re.DOTALL)[1]
+        names = [word.partition("=")[0].strip() for word in head.split(",") if word.strip()]
+        assert tuple(names) == exercise.parameters
+        assert text.rstrip().endswith("raise NotImplementedError")
+        source = inspect.getsource(exercise.reference)
+        body = source.split('"""')[-1]
+        for line in body.splitlines():
+            if len(line.strip()) > 12:
+                assert line.strip() not in text
+
+
+def test_rubric_sums_to_100_or_is_refused(files, tool):
+    assert "**100**" in files[tool.RUBRIC].decode()
+    exercises = dict(load_exercises())
+    del exercises["camera_to_world"]
+    with pytest.raises(ValueError, match="expected 100 points, got 94"):
+        tool.make_rubric(exercises)
+
+
+def test_hints_name_every_mistake(files, tool):
+    text = files[tool.HINTS].decode()
+    for exercise in load_exercises().values():
+        assert exercise.tolerance_reason in text
+        assert all(f"| {one.name} | {one.text} |" in text for one in exercise.misconceptions)
+
+
+def test_packed_arrays_come_back(tool):
+    arrays = {"a0": np.arange(6.0).reshape(2, 3), "a1": np.array([[True]])}
+    with np.load(io.BytesIO(tool.pack(arrays)), allow_pickle=False) as stored:
+        for key, value in arrays.items():
+            assert stored[key].shape == value.shape
+            assert (stored[key] == value).all()
+
+
+def test_pages_are_derived_and_what_does_not_fit_is_refused(files, tool):
+    exercises = load_exercises()
+    page = ROOT / "exercises" / "step4_color.md"
+    text = page.read_text(encoding="utf-8")
+    assert files[page.relative_to(ROOT)] == text.encode()
+    assert tool.fill_page(text.replace("12 points", "99 points"), exercises, 4) == text
+    with pytest.raises(ValueError, match="expected headings"):
+        tool.fill_page(text.replace("(exercise-nearest-object)=\n", ""), exercises, 4)
+    with pytest.raises(ValueError, match="expected the marked parts"):
+        tool.fill_page(text.replace("<!-- begin card -->", ""), exercises, 4)
+    chapter = ROOT / "book" / "step4_color.md"
+    text = chapter.read_text(encoding="utf-8")
+    assert tool.fill_chapter(text.replace("8 points", "9 points"), exercises, chapter) == text
+
+
+def test_starters_fit_into_a_cell_without_scrolling(files, tool):
+    for path, content in files.items():
+        if path.parent == tool.STARTERS:
+            code = content.decode().split('"""\n\n', 1)[1]
+            lines = [line for line in code.splitlines() if not line.lstrip().startswith(">>>")]
+            assert max(map(len, lines)) <= 76, path
+
+
+def test_tables_may_differ_by_a_rounding_but_by_no_more(files, tool):
+    path = tool.TABLES / "depth_to_pointcloud.npz"
+    with np.load(io.BytesIO(files[path])) as stored:
+        arrays = {name: stored[name].copy() for name in stored.files}
+    name = next(name for name, array in arrays.items() if array.dtype == np.float32 and array.size)
+    rounded = arrays | {name: np.nextafter(arrays[name], np.float32(np.inf))}
+    moved = arrays | {name: arrays[name] + np.float32(1e-4)}
+    assert tool.is_current(tool.pack(rounded), files[path], ".npz")
+    assert not tool.is_current(tool.pack(moved), files[path], ".npz")
+    assert not tool.is_current(b"damaged", files[path], ".npz")

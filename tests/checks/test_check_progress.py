@@ -1,0 +1,176 @@
+"""The file beside the notebook and the report made from it."""
+
+import json
+import sys
+
+import pytest
+
+import labutils
+from labutils.__main__ import main
+from labutils.checks import check, hint, report
+from labutils.checks.progress import FILE_NAME, load_progress, save_progress
+from labutils.checks.table import read_words
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def right(points, cam_xpos, cam_xmat):
+    return labutils.camera_to_world(points, cam_xpos, cam_xmat)
+
+
+def wrong(points, cam_xpos, cam_xmat):
+    return labutils.camera_to_world(points, cam_xpos * 0, cam_xmat)
+
+
+def test_checks_are_kept(folder):
+    check("camera_to_world", wrong)
+    check("camera_to_world", wrong)
+    check("camera_to_world", right)
+    check("camera_to_world", lambda *_: 1 / 0)
+    check("camera_to_world", lambda *_: None)  # not started: nothing was tried
+    kept = json.loads((folder / FILE_NAME).read_text())
+    assert kept["version"] == 1
+    assert kept["exercises"]["camera_to_world"] == {
+        "passed": True,  # once passed stays passed
+        "attempts": 4,
+        "hints": 0,
+        "last_property": "runs",
+        "mistakes": {"no-position": 2},
+    }
+    assert [path.name for path in folder.iterdir()] == [FILE_NAME]
+
+
+def test_hints_are_given_in_order_and_counted_up_to_three():
+    hints = read_words()["camera_to_world"]["hints"]
+    given = [hint("camera_to_world") for _ in range(4)]
+    assert given == [f"Hint {number} of 3: {hints[number - 1]}" for number in (1, 2, 3, 3)]
+    assert repr(given[0]) == given[0]
+    assert load_progress().get("camera_to_world").hints == 3
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"{ not json",
+        b"\xff\xfe\x00",
+        b"[]",
+        b'{"version": 1}',
+        b'{"version": 1, "exercises": {"camera_to_world": {"passed": true}}}',
+        (
+            b'{"version": 1, "exercises": {"camera_to_world": {"passed": "yes", "attempts": 1,'
+            b' "hints": 0, "last_property": null, "mistakes": {}}}}'
+        ),
+        (
+            b'{"version": 1, "exercises": {"camera_to_world": {"passed": true, "attempts": 1,'
+            b' "hints": 9, "last_property": null, "mistakes": {}}}}'
+        ),
+    ],
+)
+def test_damaged_file_is_set_aside_and_reported(folder, content):
+    (folder / FILE_NAME).write_bytes(content)
+    verdict = check("camera_to_world", right)
+    assert verdict.passed
+    assert "is kept as labutils-progress-damaged-1.json" in " ".join(verdict.message.split("\n"))
+    assert verdict.message.endswith("hidden cases decide the grade.")
+    assert (folder / "labutils-progress-damaged-1.json").read_bytes() == content
+    assert load_progress().get("camera_to_world").passed
+    # A second damaged file does not overwrite the first.
+    (folder / FILE_NAME).write_bytes(content)
+    assert "damaged-2" in report().notice
+
+
+def test_damaged_file_that_cannot_be_moved_is_reported(folder, monkeypatch):
+    (folder / FILE_NAME).write_text("{")
+
+    def refuse(*_):
+        raise OSError("read-only")
+
+    monkeypatch.setattr("pathlib.Path.rename", refuse)
+    assert "cannot be read (JSONDecodeError); progress starts anew" in load_progress().notice
+
+
+def test_folder_that_cannot_be_written_is_reported(monkeypatch, folder):
+    def refuse(*_):
+        raise PermissionError("no")
+
+    monkeypatch.setattr("os.replace", refuse)
+    verdict = check("camera_to_world", right)
+    assert "Progress is not kept" in verdict.message
+    assert "PermissionError" in verdict.message
+    assert not list(folder.iterdir())  # no half-written file either
+    assert "Progress is not kept" in hint("camera_to_world")
+
+
+def test_folder_that_does_not_exist_is_reported(folder):
+    assert "FileNotFoundError" in save_progress(load_progress(), folder / "gone")
+
+
+def test_report_shows_what_is_done_and_what_is_next():
+    empty = report()
+    assert empty.points == 0
+    assert empty.next_row.name == "render_camera"
+    assert "0 of 9 exercises, 0 of 90 points" in repr(empty)
+    check("camera_to_world", right)
+    check("intrinsics_matrix", lambda *_: 1 / 0)
+    hint("intrinsics_matrix")
+    text = repr(report())
+    assert "1 of 9 exercises, 6 of 90 points in reach so far, and 10 more for code quality" in text
+    assert "hidden cases decide the grade" in text
+    assert "started, 1 check" in text
+    assert "1/3" in text
+    assert "Next: render_camera" in text
+
+
+def test_report_in_jupyter_and_as_a_page_says_the_same():
+    check("camera_to_world", right)
+    found = report()
+    for text in (found._repr_html_(), found.to_page()):
+        for row in found.rows:
+            assert row.name in text
+        assert "6 of 90 points" in text
+    assert found.to_page().startswith("<!doctype html>")
+
+
+def test_report_when_everything_is_done(folder):
+    record = {"passed": True, "attempts": 1, "hints": 0, "last_property": None, "mistakes": {}}
+    content = {"version": 1, "exercises": dict.fromkeys(read_words(), record)}
+    (folder / FILE_NAME).write_text(json.dumps(content))
+    found = report(folder)
+    assert found.next_row is None
+    assert found.points == 90
+    assert "nothing is left" in repr(found)
+
+
+def test_command_line_prints_the_report_and_writes_a_page(folder, capsys):
+    assert main(["report", "--html", str(folder / "report.html")]) == 0
+    assert "0 of 9 exercises" in capsys.readouterr().out
+    assert "<table>" in (folder / "report.html").read_text(encoding="utf-8")
+    assert main(["report", "--html", str(folder / "no" / "report.html")]) == 1
+    assert "no" in capsys.readouterr().err
+
+
+def test_command_line_reports_another_folder(folder, capsys, monkeypatch):
+    check("camera_to_world", right)
+    other = folder / "elsewhere"
+    other.mkdir()
+    monkeypatch.chdir(other)
+    monkeypatch.setattr(sys, "argv", ["labutils", "report", "--in", str(folder)])
+    assert main() == 0
+    assert "1 of 9 exercises" in capsys.readouterr().out
+
+
+def test_links_lead_to_the_notebook_where_there_is_one(folder, monkeypatch):
+    page = read_words()["camera_to_world"]["section"].partition("#")[0]
+    (folder / "exercises").mkdir()
+    monkeypatch.chdir(folder / "exercises")
+    assert check("camera_to_world", wrong).link.startswith(f"{page}#")
+    notebook = page.replace(".html", ".ipynb")
+    (folder / "book").mkdir()
+    (folder / "exercises" / notebook).touch()
+    assert check("camera_to_world", wrong).link == notebook
+    assert {row.section for row in report().rows if row.name == "camera_to_world"} == {notebook}
+    assert notebook in report().to_page()

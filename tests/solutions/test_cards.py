@@ -1,0 +1,305 @@
+"""The tests of the tests: what every card has to prove of itself."""
+
+import itertools
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+import labutils
+from labutils.checks import judge
+from labutils.checks.calls import collect_answers
+from labutils.checks.compare import BLACK_LEVEL, is_same_outcome, to_levels
+from labutils.checks.gates import find_failure
+from labutils.checks.table import Raised
+from labutils.checks.verdict import MAX_LINES
+from solutions import QUALITY_POINTS, load_exercises
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def count_right(table, answers):
+    """Count the cases that a function has to work for: None and no rows are free."""
+    return sum(
+        is_same_outcome(table.parts, due, answer)
+        for due, answer in zip(table.expected, answers, strict=True)
+        if not isinstance(due, Raised) and due[0] is not None and due[0].size
+    )
+
+
+def test_reference_passes_the_shipped_table(exercise, table):
+    verdict = judge(table, exercise.make_wrong(()))
+    assert verdict.passed, verdict.message
+    assert judge(table, exercise.reference).passed
+
+
+def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table):
+    for seed in range(20):
+        hidden = hidden_table(seed)
+        assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(()))) is None
+
+
+def test_hidden_cases_depend_on_the_seed_and_on_nothing_else(exercise):
+    def outcomes(seed):
+        cases = exercise.hidden(np.random.default_rng(seed))
+        return exercise.collect(exercise.reference, cases)
+
+    for same, other in zip(outcomes(3), outcomes(3), strict=True):
+        assert is_same_outcome(exercise.parts, same, other)
+    assert not all(
+        is_same_outcome(exercise.parts, a, b) for a, b in zip(outcomes(3), outcomes(4), strict=True)
+    )
+
+
+def test_untouched_starter_scores_0(exercise, table, hidden_table):
+    source = (ROOT / "exercises/_generated" / f"{exercise.name}.py").read_text(encoding="utf-8")
+    space = {}
+    exec(compile(source, "starter", "exec"), space)  # noqa: S102 - our own file
+    starter = space[exercise.name]
+    for cases in (table, hidden_table(0)):
+        assert count_right(cases, collect_answers(cases, starter)) == 0
+    verdict = judge(table, starter)
+    assert (verdict.passed, verdict.failed_gate) == (False, "runs")
+    assert "Not started yet" in verdict.message
+
+
+def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
+    for made in exercise.get_combinations():
+        verdict = judge(table, exercise.make_wrong(made))
+        assert not verdict.passed
+        assert verdict.misconception == " + ".join(made)
+        assert verdict.failed_gate is not None
+
+
+def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table):
+    for seed in range(20):
+        hidden = hidden_table(seed)
+        for mistake in exercise.misconceptions:
+            answers = collect_answers(hidden, exercise.make_wrong((mistake.name,)))
+            assert find_failure(hidden, answers), (seed, mistake.name)
+
+
+def test_every_pair_fails_hidden_cases(exercise, hidden_table):
+    for seed in range(2):
+        hidden = hidden_table(seed)
+        for made in exercise.get_combinations():
+            assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
+
+
+def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
+    for one in exercise.absorbed:
+        verdict = judge(table, exercise.make_wrong((one.first, one.second)))
+        assert verdict.misconception in (one.first, one.second), one
+
+
+def test_constants_nan_and_echoes_score_0(table, hidden_table):
+    def shaped_like_expected(fill, cases):
+        """Answer with the right shapes and one number everywhere."""
+        answers = iter(cases.expected)
+
+        def function(*_):
+            due = next(answers)
+            if isinstance(due, Raised):
+                return None
+            parts = tuple(
+                part if part is None else np.full(part.shape, fill, float).astype(part.dtype)
+                for part in due
+            )
+            returned = parts[: len(parts) - sum(part.kind == "flag" for part in cases.parts)]
+            return returned if len(returned) > 1 else returned[0]
+
+        return function
+
+    for cases in (table, hidden_table(0)):
+        functions = [
+            shaped_like_expected(fill, cases)
+            for fill in (0, 1, 255, *((np.nan,) if table.parts[0].dtype == "float" else ()))
+        ]
+        functions += [lambda *_, value=value: value for value in (0, 1.0, (), (0, 0), np.nan, "x")]
+        functions += [lambda *args, n=n: args[n] for n in range(len(table.parameters))]
+        functions.append(lambda *args: args)
+        for function in functions:
+            answers = collect_answers(cases, function)
+            assert find_failure(cases, answers)
+            assert count_right(cases, answers) == 0
+
+
+def test_answer_of_another_case_scores_0(table):
+    shifted = (*table.expected[1:], table.expected[0])
+    assert find_failure(table, shifted)
+    assert count_right(table, shifted) == 0
+
+
+def shift_values(part, value, amount):
+    """Move every value by `amount`, to the side where there is room."""
+    if part.kind == "mapped":
+        levels = to_levels(value).astype(int)
+        black = levels == BLACK_LEVEL
+        moved = np.where(levels < 128, levels + round(amount), levels - round(amount))
+        picture = cv2.applyColorMap(np.where(black, 0, moved).astype(np.uint8), cv2.COLORMAP_TURBO)
+        picture[black] = 0
+        return picture
+    if part.dtype == "uint8":
+        value = value.astype(int)
+        return np.where(value < 128, value + round(amount), value - round(amount)).astype(np.uint8)
+    if part.dtype == "int":
+        return value + round(amount)
+    return value.astype(np.float64) + amount
+
+
+@pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])
+def test_tolerance_is_load_bearing(exercise, table, factor, passes):
+    for number, part in enumerate(exercise.parts):
+        if part.atol == 0:
+            continue
+        for sign in (1, -1) if part.dtype in ("float", "int") else (1,):
+            answers = []
+            for due in table.expected:
+                if isinstance(due, Raised) or due[number] is None:
+                    answers.append(due)
+                    continue
+                moved = shift_values(part, due[number], sign * factor * part.atol)
+                answers.append((*due[:number], moved, *due[number + 1 :]))
+            # A range may be left by a rounding error; its gate has the same tolerance.
+            assert (find_failure(table, tuple(answers)) is None) is passes, part.name
+
+
+@pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])
+def test_share_of_pixels_is_load_bearing(exercise, table, factor, passes):
+    for number, part in enumerate(exercise.parts):
+        if part.share == 0:
+            continue
+        answers = []
+        for due in table.expected:
+            if isinstance(due, Raised):
+                answers.append(due)
+                continue
+            value = due[number].copy()
+            count = int(np.ceil(factor * part.share * value.size)) if factor > 1 else 0
+            count = count or int(factor * part.share * value.size)
+            flat = value.reshape(-1)
+            flat[:count] = 255 - flat[:count] if part.dtype == "uint8" else flat[:count] + 1
+            answers.append((*due[:number], value, *due[number + 1 :]))
+        assert (find_failure(table, tuple(answers)) is None) is passes, part.name
+
+
+def test_messages_are_short_and_keep_the_right_numbers_to_themselves(exercise, table):
+    functions = [exercise.make_wrong(made) for made in exercise.get_combinations()]
+    functions += [
+        lambda *_: 0.0,
+        lambda *_: (0, 0),
+        lambda *_: np.zeros((3, 3)),
+        lambda *args: args,
+    ]
+    for function in functions:
+        message = judge(table, function).message
+        assert len(message.splitlines()) <= MAX_LINES < 12
+        assert max(map(len, message.splitlines())) <= 110
+        numbers = set(re.findall(r"-?\d+(?:\.\d+)?", message))
+        for part, value in secret_numbers(table):
+            texts = {f"{value:.{digits}f}" for digits in (1, 2, 3, 4, 6)} | {repr(float(value))}
+            if part.kind == "pixel":
+                continue  # whole pixels cannot be told from counts; residuals never print them
+            assert not numbers & texts, (message, value)
+
+
+def secret_numbers(table):
+    """List the values due that are few enough to be copied from a message."""
+    for due in table.expected:
+        if isinstance(due, Raised):
+            continue
+        for part, value in zip(table.parts, due, strict=True):
+            if value is not None and part.kind in ("number", "matrix", "pixel"):
+                for number in np.ravel(value):
+                    if number not in (0, 1):
+                        yield part, number
+
+
+def test_misconceptions_of_one_card_say_different_things(exercise):
+    texts = [one.text for one in exercise.misconceptions]
+    assert len(set(texts)) == len(texts)
+    assert len(set(exercise.hints)) == 3
+
+
+def test_points_are_the_rubric_of_the_lab():
+    per_step = {}
+    for exercise in load_exercises().values():
+        per_step[exercise.step] = per_step.get(exercise.step, 0) + exercise.points
+    assert per_step == {1: 15, 2: 15, 3: 20, 4: 20, 5: 20, 6: 0}
+    assert sum(per_step.values()) + QUALITY_POINTS == 100
+
+
+def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
+    assert exercise.is_challenge != hasattr(labutils, exercise.name)
+    if not exercise.is_challenge:
+        assert exercise.reference is getattr(labutils, exercise.name)
+
+
+def test_verdicts_link_to_headings_and_places_that_exist(table):
+    for link in (table.section, *table.links.values()):
+        page, label = re.fullmatch(r"\.\./(book/step\d_\w+)\.html#([\w-]+)", link).groups()
+        assert f"\n({label})=\n" in (ROOT / f"{page}.md").read_text(encoding="utf-8")
+
+
+def test_mistake_with_its_own_section_leads_there(exercise, table):
+    for mistake in exercise.misconceptions:
+        verdict = judge(table, exercise.make_wrong((mistake.name,)))
+        assert verdict.link.endswith(f"#{mistake.section or exercise.section}")
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"hints": ("one",)}, "expected 3 hints"),
+        ({"misconceptions": ()}, "4 to 7 different misconceptions"),
+        ({"points": -1}, "points and a step"),
+        ({"objectives": ()}, "at least one objective"),
+        ({"section": "page-step3"}, "a label such as"),
+        ({"name": "other"}, "the reference is called"),
+        ({"tolerance_reason": ""}, "a reason"),
+    ],
+)
+def test_incomplete_card_is_refused(change, words):
+    card = load_exercises()["process_depth"]
+    with pytest.raises(ValueError, match=words):
+        replace(card, **change)
+
+
+def test_card_with_unknown_absorbed_mistake_is_refused():
+    card = load_exercises()["process_depth"]
+    wrong = replace(card.absorbed[0], first="nobody")
+    with pytest.raises(ValueError, match="nobody"):
+        replace(card, absorbed=(wrong,))
+
+
+def test_card_whose_mistakes_do_not_start_from_the_reference_is_refused():
+    card = load_exercises()["process_depth"]
+    broken = replace(card, answer_with=lambda _, raw, *__: raw)
+    with pytest.raises(ValueError, match="without mistakes differs"):
+        broken.freeze()
+
+
+def test_card_whose_reference_fails_is_refused():
+    card = load_exercises()["process_depth"]
+    case = replace(card.visible()[0], args=("no picture", 0.1, 4.0))
+    with pytest.raises(ValueError, match="the reference fails"):
+        card.freeze((case,))
+
+
+@pytest.mark.parametrize(("name", "text"), [("Two words", "x" * 50 + "."), ("short", "No.")])
+def test_misconception_without_name_or_text_is_refused(name, text):
+    one = load_exercises()["process_depth"].misconceptions[0]
+    with pytest.raises(ValueError, match="misconception"):
+        replace(one, name=name, text=text)
+
+
+def test_all_pairs_of_a_card_are_tested_or_listed(exercise):
+    names = [one.name for one in exercise.misconceptions]
+    pairs = {frozenset(pair) for pair in itertools.combinations(names, 2)}
+    tested = {frozenset(made) for made in exercise.get_combinations() if len(made) == 2}
+    listed = {frozenset((one.first, one.second)) for one in exercise.absorbed}
+    assert tested | listed == pairs
+    assert not tested & listed

@@ -1,0 +1,185 @@
+"""Write the parts of a page that follow from the cards: starter, check, hints, points.
+
+A marked part lies between two comments. Everything else on a page is written by hand. A page that
+lacks a part, or has one that no card asks for, is refused.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+import textwrap
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+    from pathlib import Path
+
+    from solutions import Exercise
+
+PART = re.compile(r"<!-- begin (?P<name>[\w ]+) -->\n.*?<!-- end (?P=name) -->\n", re.DOTALL)
+HEADING = re.compile(r"^\(exercise-([a-z-]+)\)=\n## ", re.MULTILINE)
+
+#: Columns of a code cell that a page shows without scrolling.
+WIDTH = 70
+
+#: Minutes, a rough guess for planning: an exercise of the lab, and a challenge.
+LAB_MINUTES, CHALLENGE_MINUTES = 20, 30
+
+
+def get_step(path: Path) -> int:
+    """Return the number of the step a page belongs to."""
+    return int(path.stem[4])
+
+
+def describe_points(exercise: Exercise) -> str:
+    """Say what an exercise earns."""
+    return "challenge" if exercise.is_challenge else f"{exercise.points} points"
+
+
+def get_label(name: str) -> str:
+    """Return the label above the heading of an exercise."""
+    return f"exercise-{name.replace('_', '-')}"
+
+
+def make_link(exercise: Exercise) -> str:
+    """Return a link to an exercise, from any page."""
+    return f"{{ref}}`{exercise.name} <{get_label(exercise.name)}>`"
+
+
+def make_starter(exercise: Exercise) -> str:
+    """Keep imports, signature and docstring of the reference, and nothing of its body."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(exercise.reference)))
+    function = tree.body[0]
+    assert isinstance(function, ast.FunctionDef)  # noqa: S101 - cards refer to plain functions
+    for argument in function.args.args:
+        argument.annotation = None  # the names in them are not imported where a learner writes
+    docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
+    docstring = textwrap.indent(rewrap(docstring), "    ", lambda line: bool(line.strip()))
+    head = f"def {exercise.name}({ast.unparse(function.args)}):"
+    if len(head) > WIDTH:
+        head = f"def {exercise.name}(\n    {ast.unparse(function.args)},\n):"
+    return (
+        "\n".join(exercise.imports) + f'\n\n\n{head}\n    """{docstring.strip()}\n'
+        f'    """\n    raise NotImplementedError\n'
+    )
+
+
+def rewrap(docstring: str) -> str:
+    """Break lines that are too long for a cell on a page, but no examples."""
+    lines: list[str] = []
+    block: list[str] = []
+    for line in [*docstring.splitlines(), ""]:
+        ends = not line or line.startswith("---") or _get_indent(line) != _get_indent(*block[:1])
+        if ends and block:
+            lines += _wrap(block)
+            block = []
+        if not line or line.startswith("---"):
+            lines.append(line)
+        else:
+            block.append(line)
+    return "\n".join(lines).strip()
+
+
+def _get_indent(line: str = "") -> int:
+    return len(line) - len(line.lstrip())
+
+
+def _wrap(block: list[str]) -> list[str]:
+    limit = WIDTH - 4  # inside a function
+    if max(map(len, block)) <= limit or block[0].lstrip().startswith(">>>"):
+        return block
+    indent = " " * _get_indent(block[0])
+    return textwrap.wrap(
+        " ".join(line.strip() for line in block),
+        limit,
+        initial_indent=indent,
+        subsequent_indent=indent if " : " not in block[0] else f"{indent}    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def make_exercise(exercise: Exercise) -> str:
+    """Write what follows the statement: facts, starter, check and the way to a hint."""
+    label = exercise.section
+    objectives = ", ".join(f"**{name}**" for name in exercise.objectives)
+    return f"""\
+*{describe_points(exercise).capitalize()}. Practices {objectives}; taught in {{ref}}`{label}`.*
+
+```{{code-cell}} ipython3
+:tags: [exercise]
+{make_starter(exercise).strip()}
+```
+
+```{{code-cell}} ipython3
+check("{exercise.name}", {exercise.name})
+```
+
+:::{{dropdown}} Stuck? Ask for a hint
+Run `hint("{exercise.name}")` in a cell of its own. There are three, each more direct than the one \
+before. They cost nothing, but `report()` counts them.
+:::
+"""
+
+
+def make_card(exercises: list[Exercise], step: int, chapter: str) -> str:
+    """Write the table at the top of an exercise page."""
+    lab = [one for one in exercises if not one.is_challenge]
+    challenges = [one for one in exercises if one.is_challenge]
+    points = f"{sum(one.points for one in lab)}: " if lab else "none: this step has challenges only"
+    minutes = LAB_MINUTES * len(lab) + CHALLENGE_MINUTES * len(challenges)
+    rows = [
+        "| | |",
+        "|---|---|",
+        f"| Points | {points}{', '.join(f'{make_link(one)} {one.points}' for one in lab)} |",
+        f"| Challenges | {', '.join(map(make_link, challenges))} |",
+        f"| Time | about {minutes} minutes |",
+        f"| Needed before | [Step {step}](../book/{chapter}.md) |",
+    ]
+    return "\n".join(rows) + "\n"
+
+
+def make_chapter_part(exercises: list[Exercise], page: str) -> str:
+    """Write the sentences of a chapter that lead to its exercises."""
+    lab = [one for one in exercises if not one.is_challenge]
+    challenges = ", ".join(make_link(one) for one in exercises if one.is_challenge)
+    points = ", ".join(f"{make_link(one)} ({one.points} points)" for one in lab)
+    own = f"write the functions of this step yourself: {points}" if lab else "go beyond the lab"
+    more = (
+        f"The challenges ask for what the library does not have: {challenges}."
+        if lab
+        else f"The challenges of this step ask for what the library does not have: {challenges}."
+    )
+    return f"On the [exercise page](../exercises/{page}.md) you {own}. {more}\n"
+
+
+def fill_page(text: str, exercises: Mapping[str, Exercise], step: int) -> str:
+    """Fill the marked parts of an exercise page."""
+    chosen = [one for one in exercises.values() if one.step == step]
+    parts = {f"exercise {one.name}": make_exercise(one) for one in chosen}
+    chapter = f"{chosen[0].chapter}"
+    labels = HEADING.findall(text)
+    due = [get_label(one.name).removeprefix("exercise-") for one in chosen]
+    if labels != due:
+        raise ValueError(f"exercises of step {step}: expected headings for {due}, got {labels}")
+    return _fill(text, {"card": make_card(chosen, step, chapter), **parts}, f"step {step}")
+
+
+def fill_chapter(text: str, exercises: Mapping[str, Exercise], path: Path) -> str:
+    """Fill the marked part of a chapter."""
+    chosen = [one for one in exercises.values() if one.step == get_step(path)]
+    return _fill(text, {"exercises": make_chapter_part(chosen, path.stem)}, path.name)
+
+
+def _fill(text: str, parts: Mapping[str, str], where: str) -> str:
+    found = [match["name"] for match in PART.finditer(text)]
+    if found != list(parts):
+        raise ValueError(f"{where}: expected the marked parts {list(parts)}, got {found}")
+    return PART.sub(
+        lambda match: (
+            f"<!-- begin {match['name']} -->\n{parts[match['name']]}<!-- end {match['name']} -->\n"
+        ),
+        text,
+    )
