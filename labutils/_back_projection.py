@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
+from labutils.depth_processing import find_valid_depth
 
 #: 80 rows of a 640-pixel picture: all temporaries of a block fit into the cache.
 _BLOCK_ROWS = 80
@@ -45,7 +46,7 @@ def back_project(
     for top in range(0, height, _BLOCK_ROWS):
         rows = slice(top, top + _BLOCK_ROWS)
         z = depth[rows]
-        kept = None if _is_full(z) else _find_kept(z)
+        kept = None if _is_full(z) else find_valid_depth(z).reshape(-1)
         block = slice(count, count + (z.size if kept is None else int(np.count_nonzero(kept))))
         _unproject(z, (slopes[0][: len(z)], slopes[1][rows]), planes, kept, points[block])
         if rgb is not None:
@@ -73,13 +74,11 @@ def _make_slopes(
 
 
 def _is_full(depth: np.ndarray) -> bool:
-    """Tell whether every pixel is a surface; NaN makes both comparisons false."""
+    """Tell whether `find_valid_depth` would mark every pixel, in a quarter of the time.
+
+    NaN makes both comparisons false.
+    """
     return bool(depth.min() > MIN_DEPTH and depth.max() < MAX_DEPTH)
-
-
-def _find_kept(depth: np.ndarray) -> np.ndarray:
-    """Mark the pixels that are surfaces, as one flat list of true and false."""
-    return ((depth > MIN_DEPTH) & (depth < MAX_DEPTH)).reshape(-1)
 
 
 def _allocate(count: int, dtype: np.dtype) -> tuple[np.ndarray, np.ndarray]:

@@ -55,7 +55,8 @@ def raycast_depth(
     ValueError
         If the model has no such camera.
     """
-    return _cast(model, data, camera_name, width, height)[0].astype(np.float32)
+    rays = get_pixel_rays(model, data, camera_name, width, height)
+    return _cast(model, data, camera_name, rays)[0].astype(np.float32)
 
 
 def raycast_points(
@@ -79,7 +80,7 @@ def raycast_points(
         If the model has no such camera.
     """
     rays_world = get_pixel_rays(model, data, camera_name, width, height)
-    depth = _cast(model, data, camera_name, width, height)[0]
+    depth = _cast(model, data, camera_name, rays_world)[0]
     camera_id = get_camera_id(model, camera_name)
     return data.cam_xpos[camera_id] + depth[..., None] * rays_world
 
@@ -116,10 +117,9 @@ def get_pixel_rays(
 
 
 def _cast(
-    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, width: int, height: int
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, rays: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Cast all rays; return depth (H, W), geom ids (H, W) and surface normals (H, W, 3)."""
-    rays = get_pixel_rays(model, data, camera_name, width, height)
+    """Cast all rays (H, W, 3); return depth (H, W), geom ids (H, W) and normals (H, W, 3)."""
     lengths = np.linalg.norm(rays, axis=-1)
     count = lengths.size
     geom_ids = np.full(count, -1, dtype=np.int32)
@@ -198,7 +198,7 @@ class RaycastRenderer:
             self._frame = (*nothing, np.ones((*shape, 3)))
             return
         rays = get_pixel_rays(self.model, data, name, self.width, self.height)
-        self._frame = (*_cast(self.model, data, name, self.width, self.height), rays)
+        self._frame = (*_cast(self.model, data, name, rays), rays)
 
     def enable_depth_rendering(self) -> None:
         """Make `render` return meters."""
