@@ -17,7 +17,7 @@ from labutils.checks.compare import align_rows
 from labutils.checks.gates import Failure, find_failure
 from labutils.checks.links import find_link
 from labutils.checks.pictures import draw_comparison
-from labutils.checks.progress import MAX_HINTS, load_progress, save_progress
+from labutils.checks.progress import MAX_HINTS, Progress, load_progress, save_progress
 from labutils.checks.recognize import get_hint, recognize_mistakes
 from labutils.checks.report import Report, report
 from labutils.checks.residuals import find_worst_pixel
@@ -172,12 +172,17 @@ def _keep(verdict: Verdict) -> Verdict:
     if verdict.misconception:
         count = record.mistakes.get(verdict.misconception, 0)
         record.mistakes[verdict.misconception] = count + 1
-    notices = [text for text in (progress.notice, save_progress(progress)) if text]
+    notices = _save(progress)
     if not notices:
         return verdict
     # The last line of a pass stays last.
     *first, last = verdict.paragraphs
     return replace(verdict, paragraphs=(*first, *notices, last))
+
+
+def _save(progress: Progress) -> list[str]:
+    """Write the progress file; return what went wrong in reading or writing it, in words."""
+    return [text for text in (progress.notice, save_progress(progress)) if text]
 
 
 class Hint(str):
@@ -213,6 +218,6 @@ def hint(name: str) -> Hint:
     progress = load_progress()
     record = progress.get(name)
     record.hints = min(record.hints + 1, MAX_HINTS)
-    notices = [text for text in (progress.notice, save_progress(progress)) if text]
+    notices = _save(progress)
     text = f"Hint {record.hints} of {MAX_HINTS}: {known[name]['hints'][record.hints - 1]}"
     return Hint("\n".join([text, *notices]))
