@@ -1,0 +1,11 @@
+"""Explorers: move a slider, see what follows.
+
+Each works in a notebook, where Python reads its values, and on the built page, where no Python
+runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
+"""
+
+from __future__ import annotations
+
+from labutils.explorers.fov import FovExplorer, explore_fov
+
+__all__ = ["FovExplorer", "explore_fov"]

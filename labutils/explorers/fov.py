@@ -1,0 +1,186 @@
+"""Explore the field of view: picture, focal length, K and frustum change together.
+
+Taught in: step 2.
+"""
+
+from __future__ import annotations
+
+import copy
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import cv2
+import mujoco
+import numpy as np
+import traitlets
+
+from labutils.camera_utils import (
+    get_camera_intrinsics,
+    get_camera_pose,
+    intrinsics_matrix,
+    render_camera,
+)
+from labutils.explorers._base import (
+    Explorer,
+    View,
+    decode_rgb,
+    encode_rgb,
+    make_choice,
+    make_slider,
+)
+from labutils.explorers._modules import join_modules
+from labutils.rendering import make_renderer
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+#: Widest view in degrees. One picture this wide holds every narrower one as its middle.
+MAX_FOV_DEG = 100.0
+_MIN_FOV_DEG = 10.0
+#: Wider than any picture shown, so that a narrow view stays sharp.
+_WIDE_SIZE = (1280, 960)
+_SIZES = ((160, 120), (640, 480), (1280, 960))
+
+
+class FovView(View):
+    """The picture, the camera from above, and K."""
+
+    _esm = join_modules("fov")
+    wide_png = traitlets.Bytes().tag(sync=True)
+    max_fov_deg = traitlets.Float(MAX_FOV_DEG).tag(sync=True)
+    fov_y_deg = traitlets.Float(45.0).tag(sync=True)
+    #: Place of the picture's size in `sizes`.
+    size = traitlets.Int(1).tag(sync=True)
+    sizes = traitlets.List([list(size) for size in _SIZES]).tag(sync=True)
+    #: Things on the table: name, x to the right and z forward in meters, color.
+    landmarks = traitlets.List().tag(sync=True)
+
+    PARAMETERS: ClassVar = ("fov_y_deg", "size")
+
+    def compute(self) -> dict[str, Any]:
+        """Compute what the read-out tells: f, K, the other angle, and what lies inside."""
+        width, height = self.sizes[self.size]
+        K = intrinsics_matrix(np.radians(self.fov_y_deg), width, height)
+        half_width = width / 2 / K[0, 0]  # at a depth of 1
+        inside = [one for one in self.landmarks if abs(one["x"]) <= one["z"] * half_width]
+        return {
+            "f": float(K[0, 0]),
+            "K": K.tolist(),
+            "fov_x_deg": float(np.degrees(2 * np.arctan(half_width))),
+            "mm_per_px": float(1000 / K[0, 0]),
+            "seen": [one["name"] for one in sorted(inside, key=lambda one: one["x"] / one["z"])],
+        }
+
+    def describe(self) -> str:
+        """Say the angle and what it means in pixels."""
+        values = self.compute()
+        return (
+            f"Field of view: {self.fov_y_deg:g} degrees from top to bottom, "
+            f"f = {values['f']:.1f} px, {len(values['seen'])} objects inside"
+        )
+
+    def draw_poster(self) -> np.ndarray:
+        """Draw the picture at this angle."""
+        wide = decode_rgb(self.wide_png)
+        share = np.tan(np.radians(self.fov_y_deg / 2)) / np.tan(np.radians(self.max_fov_deg / 2))
+        size = (round(wide.shape[1] * share), round(wide.shape[0] * share))
+        center = ((wide.shape[1] - 1) / 2, (wide.shape[0] - 1) / 2)
+        crop = cv2.getRectSubPix(wide, size, center)
+        return cv2.resize(crop, (640, 480), interpolation=cv2.INTER_AREA)
+
+
+class FovExplorer(Explorer):
+    """What `explore_fov` returns: the values, as Python reads them."""
+
+    view: FovView
+
+    @property
+    def fov_y(self) -> float:
+        """Angle from top to bottom in radians."""
+        return float(np.radians(self.view.fov_y_deg))
+
+    @property
+    def picture_size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        width, height = self.view.sizes[self.view.size]
+        return width, height
+
+    @property
+    def K(self) -> np.ndarray:  # noqa: N802 - the field's name
+        """Intrinsic matrix, float64 (3, 3)."""
+        return intrinsics_matrix(self.fov_y, *self.picture_size)
+
+
+def explore_fov(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    camera_name: str = "head_camera",
+    objects: Sequence[str] = (),
+) -> FovExplorer:
+    """Move the field of view of a camera and see what follows.
+
+    Parameters
+    ----------
+    model, data : mujoco.MjModel, mujoco.MjData
+        The scene; it is left as it is.
+    camera_name : str
+        Where to look from; its own angle is the first one shown.
+    objects : sequence of str
+        Bodies to draw from above.
+
+    Returns
+    -------
+    FovExplorer
+        Shows itself as the last line of a cell; has `fov_y` in radians, `picture_size` and `K`.
+
+    Raises
+    ------
+    ValueError
+        If the model has no such camera, or its field of view is not within the slider's limits.
+    KeyError
+        If the model has no such body.
+    """
+    fov_y_deg = float(np.degrees(get_camera_intrinsics(model, camera_name, 640, 480)[1]))
+    if not _MIN_FOV_DEG <= fov_y_deg <= MAX_FOV_DEG:
+        raise ValueError(
+            f"camera_name: expected a field of view of {_MIN_FOV_DEG:g} to {MAX_FOV_DEG:g} "
+            f"degrees, got {fov_y_deg:g}"
+        )
+    view = FovView(
+        label="Field of view explorer",
+        help="Move the slider. Watch the picture, the rays and f.",
+        wide_png=encode_rgb(_render_wide(model, data, camera_name)),
+        fov_y_deg=fov_y_deg,
+        landmarks=[_find_landmark(model, data, camera_name, name) for name in objects],
+    )
+    slider = make_slider("fov_y", (_MIN_FOV_DEG, MAX_FOV_DEG), 0.5, unit="°", digits=1)
+    sizes = [f"{width} × {height}" for width, height in _SIZES]
+    return FovExplorer(view, {"fov_y_deg": slider, "size": make_choice("picture", sizes)})
+
+
+def _render_wide(model: mujoco.MjModel, data: mujoco.MjData, camera_name: str) -> np.ndarray:
+    """Render the widest view there is, of a copy: the reader's camera keeps its angle."""
+    wide_model = copy.copy(model)
+    wide_model.cam(camera_name).fovy[:] = MAX_FOV_DEG
+    width, height = _WIDE_SIZE
+    renderer = make_renderer(wide_model, height, width)
+    try:
+        rgb, _ = render_camera(wide_model, data, renderer, camera_name)
+    finally:
+        renderer.close()
+    return rgb
+
+
+def _find_landmark(
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, body_name: str
+) -> dict[str, Any]:
+    """Find where a body is in the camera frame, and its color."""
+    body = model.body(body_name)
+    T_cam_world = np.linalg.inv(get_camera_pose(model, data, camera_name))
+    x, _, z = (T_cam_world @ np.append(data.xpos[body.id], 1.0))[:3]
+    red, green, blue = (model.geom_rgba[body.geomadr[0], :3] * 255).round().astype(int)
+    return {
+        "name": body_name.replace("_", " "),
+        "x": round(float(x), 4),
+        "z": round(float(z), 4),
+        "color": f"#{red:02x}{green:02x}{blue:02x}",
+    }

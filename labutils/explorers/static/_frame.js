@@ -1,0 +1,142 @@
+// What every explorer is made of: a stage for pictures, a read-out, a line of help, Reset.
+
+const SPEAK_AFTER_MS = 700; // a screen reader hears the value one stops at, not all in between
+
+/** Build the frame of an explorer inside `el`. */
+export function makeFrame({ model, el }, name) {
+  const root = make("div", "explorer", el);
+  root.dataset.explorer = name;
+  root.dataset.state = "loading";
+  root.setAttribute("role", "group");
+  root.setAttribute("aria-label", model.get("label"));
+  const stage = make("div", "explorer-stage", root);
+  const readout = make("p", "explorer-readout", root);
+  const spoken = make("p", "explorer-spoken", root);
+  spoken.setAttribute("role", "status");
+  const foot = make("div", "explorer-foot", root);
+  make("p", "explorer-help", foot).textContent = model.get("help");
+  const reset = make("button", "explorer-button", foot);
+  reset.type = "button";
+  reset.textContent = "Reset";
+  reset.addEventListener("click", () => setTraits(model, model.get("start")));
+  let timer = 0;
+  let heard = ""; // the first value is on the page already: nobody asked to hear it
+  const cleanups = [() => clearTimeout(timer), nameControls(el)];
+  return {
+    root,
+    stage,
+    foot,
+    cleanups,
+    /** Tell the result: in words, and as values that a test reads. */
+    tell(text, values) {
+      if (readout.textContent !== text) readout.textContent = text;
+      root.dataset.values = JSON.stringify(values);
+      root.dataset.state = "ready";
+      heard ||= text;
+      clearTimeout(timer);
+      timer = setTimeout(() => {
+        if (heard !== text) spoken.textContent = heard = text;
+      }, SPEAK_AFTER_MS);
+    },
+    /** Say why there is no picture. */
+    fail(error) {
+      root.dataset.state = "failed";
+      readout.textContent = `This explorer cannot be drawn: ${error.message}`;
+    },
+    destroy() {
+      for (const cleanup of cleanups) cleanup();
+      root.remove();
+    },
+  };
+}
+
+/** Draw now and after every change of a trait, at most once per frame of the screen. */
+export function drawOnChange(model, frame, names, draw) {
+  let queued = 0;
+  const drawTimed = () => {
+    queued = 0;
+    const started = performance.now();
+    draw();
+    frame.root.dataset.drawMs = (performance.now() - started).toFixed(2);
+  };
+  const later = () => (queued ||= requestAnimationFrame(drawTimed));
+  for (const one of names) model.on(`change:${one}`, later);
+  frame.cleanups.push(() => {
+    cancelAnimationFrame(queued);
+    for (const one of names) model.off(`change:${one}`, later);
+  });
+  drawTimed();
+  return later;
+}
+
+/** Set several traits, and let the kernel know where there is one. */
+export function setTraits(model, values) {
+  for (const [name, value] of Object.entries(values)) model.set(name, value);
+  model.save_changes();
+}
+
+/** Make an element inside another. */
+export function make(tag, className, parent) {
+  const element = document.createElement(tag);
+  if (className) element.className = className;
+  parent?.append(element);
+  return element;
+}
+
+/** Make a canvas of a size in pixels; it says in words what it shows. */
+export function makeCanvas(parent, width, height, label) {
+  const canvas = make("canvas", "explorer-canvas", parent);
+  canvas.width = width;
+  canvas.height = height;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", label);
+  return canvas;
+}
+
+/** Name the handles of the sliders beside the view; ipywidgets leaves them without a name. */
+function nameControls(el) {
+  let observer;
+  let waiting = requestAnimationFrame(function start() {
+    const box = el.closest(".explorer-box");
+    if (!box) {
+      waiting = requestAnimationFrame(start); // not yet in the page
+      return;
+    }
+    nameAll(box);
+    observer = new MutationObserver(() => nameAll(box));
+    observer.observe(box, { childList: true, subtree: true });
+  });
+  return () => {
+    cancelAnimationFrame(waiting);
+    observer?.disconnect();
+  };
+}
+
+function nameAll(box) {
+  for (const control of box.querySelectorAll(".explorer-controls > .jupyter-widgets")) {
+    const name = control.querySelector(".widget-label")?.textContent ?? "";
+    const handles = control.querySelectorAll(".noUi-handle");
+    handles.forEach((handle, place) => {
+      const end = handles.length > 1 ? [", low", ", high"][place] : "";
+      setOnce(handle, "aria-label", name + end);
+    });
+    const readout = control.querySelector(".widget-readout");
+    if (readout) {
+      setOnce(readout, "role", "textbox");
+      setOnce(readout, "aria-label", `${name}, as a number`);
+    }
+    const buttons = control.querySelector(".widget-toggle-buttons > div, .widget-inline-hbox > div");
+    if (control.classList.contains("widget-toggle-buttons")) {
+      setOnce(control, "role", "group");
+      setOnce(control, "aria-label", name);
+      for (const button of control.querySelectorAll("button")) {
+        setOnce(button, "aria-pressed", String(button.classList.contains("mod-active")));
+      }
+    }
+  }
+}
+
+/** Set an attribute only where it differs, so that the observer is not woken by its own work. */
+function setOnce(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}

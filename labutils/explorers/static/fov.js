@@ -1,0 +1,93 @@
+// Field of view: one wide picture is enough, because a pinhole camera with a smaller angle sees
+// exactly the middle of it. Mirrors labutils.camera_utils.intrinsics_matrix.
+
+import { fovFromFocal, intrinsicsMatrix } from "./_camera.js";
+import { drawOnChange, make, makeCanvas, makeFrame } from "./_frame.js";
+import { decodePng, toImageData } from "./_png.js";
+import { drawTopView, makeTopView } from "./_top_view.js";
+
+export default {
+  async render({ model, el }) {
+    const frame = makeFrame({ model, el }, "fov");
+    try {
+      await start(model, frame);
+    } catch (error) {
+      frame.fail(error);
+    }
+    return () => frame.destroy();
+  },
+};
+
+async function start(model, frame) {
+  const image = toImageData(await decodePng(model.get("wide_png")));
+  const wide = Object.assign(document.createElement("canvas"), image);
+  wide.width = image.width;
+  wide.height = image.height;
+  wide.getContext("2d").putImageData(image, 0, 0);
+
+  frame.stage.classList.add("explorer-fov");
+  const canvas = makeCanvas(frame.stage, 640, 480, "What the camera sees");
+  const side = make("div", "explorer-side", frame.stage);
+  const top = makeTopView(side);
+  const table = makeMatrix(side);
+  drawOnChange(model, frame, ["fov_y_deg", "size"], () => {
+    const [fov, size] = [model.get("fov_y_deg"), model.get("sizes")[model.get("size")]];
+    drawCrop(canvas, wide, fov, model.get("max_fov_deg"), size);
+    const values = describeCamera(fov, size);
+    values.seen = drawTopView(top, values.fov_x_deg, model.get("landmarks"));
+    table.show(values.K);
+    frame.tell(inWords(values), values);
+  });
+}
+
+/** What the numbers of this camera are; the same as FovView.compute in Python. */
+export function describeCamera(fovYDegrees, [width, height]) {
+  const K = intrinsicsMatrix(fovYDegrees, width, height);
+  const f = K[0][0];
+  return { f, K, fov_x_deg: fovFromFocal(f, width), mm_per_px: 1000 / f };
+}
+
+/** Draw the middle of the wide picture, in pixels as large as the camera's. */
+function drawCrop(canvas, wide, fov, maxFov, [width, height]) {
+  const half = (degrees) => Math.tan((degrees * Math.PI) / 360);
+  const share = half(fov) / half(maxFov);
+  const [w, h] = [wide.width * share, wide.height * share];
+  const [left, top] = [(wide.width - w) / 2, (wide.height - h) / 2];
+  const context = canvas.getContext("2d");
+  if (width >= canvas.width) {
+    context.imageSmoothingEnabled = true;
+    context.drawImage(wide, left, top, w, h, 0, 0, canvas.width, canvas.height);
+    return;
+  }
+  // fewer pixels: shrink first, then show each as a square
+  context.imageSmoothingEnabled = true;
+  context.drawImage(wide, left, top, w, h, 0, 0, width, height);
+  context.imageSmoothingEnabled = false;
+  context.drawImage(canvas, 0, 0, width, height, 0, 0, canvas.width, canvas.height);
+}
+
+function makeMatrix(parent) {
+  const table = make("table", "explorer-matrix", parent);
+  make("caption", "", table).textContent = "K, in pixels";
+  const cells = [0, 1, 2].map(() => {
+    const row = make("tr", "", table);
+    return [0, 1, 2].map(() => make("td", "", row));
+  });
+  return {
+    show(K) {
+      K.forEach((row, i) =>
+        row.forEach((value, j) => {
+          cells[i][j].textContent = Number.isInteger(value) ? value : value.toFixed(1);
+        }),
+      );
+    },
+  };
+}
+
+function inWords({ f, fov_x_deg, mm_per_px, seen }) {
+  return (
+    `f = ${f.toFixed(1)} px; ${fov_x_deg.toFixed(1)}° from left to right. ` +
+    `At 1 m a pixel covers ${mm_per_px.toFixed(2)} mm. ` +
+    `Inside, from left to right: ${seen.length ? seen.join(", ") : "none of the objects"}.`
+  );
+}
