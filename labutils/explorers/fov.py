@@ -140,7 +140,8 @@ def explore_fov(
     KeyError
         If the model has no such body.
     """
-    fov_y_deg = float(np.degrees(get_camera_intrinsics(model, camera_name, 640, 480)[1]))
+    _, fov_y = get_camera_intrinsics(model, camera_name, 640, 480)
+    fov_y_deg = round(float(np.degrees(fov_y)), 9)  # 45, not 45.00000000000001
     if not _MIN_FOV_DEG <= fov_y_deg <= MAX_FOV_DEG:
         raise ValueError(
             f"camera_name: expected a field of view of {_MIN_FOV_DEG:g} to {MAX_FOV_DEG:g} "
