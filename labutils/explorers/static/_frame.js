@@ -104,6 +104,8 @@ function nameControls(el) {
       waiting = requestAnimationFrame(start); // not yet in the page
       return;
     }
+    // in JupyterLab arrow keys would leave the cell instead of moving the handle
+    box.setAttribute("data-lm-suppress-shortcuts", "true");
     nameAll(box);
     observer = new MutationObserver(() => nameAll(box));
     const watched = { attributeFilter: ["class"], childList: true, subtree: true };

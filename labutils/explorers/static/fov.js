@@ -36,7 +36,7 @@ async function start(model, frame) {
     const values = describeCamera(fov, size);
     values.seen = drawTopView(top, values.fov_x_deg, model.get("landmarks"));
     table.show(values.K);
-    frame.tell(inWords(values), values);
+    frame.tell(inWords(values, model.get("landmarks").length > 0), values);
   });
 }
 
@@ -84,10 +84,11 @@ function makeMatrix(parent) {
   };
 }
 
-function inWords({ f, fov_x_deg, mm_per_px, seen }) {
+function inWords({ f, fov_x_deg, mm_per_px, seen }, isMarked) {
+  const things = seen.length ? seen.join(", ") : "none of the objects";
   return (
     `f = ${f.toFixed(1)} px; ${fov_x_deg.toFixed(1)}° from left to right. ` +
-    `At 1 m a pixel covers ${mm_per_px.toFixed(2)} mm. ` +
-    `Inside, from left to right: ${seen.length ? seen.join(", ") : "none of the objects"}.`
+    `At 1 m a pixel covers ${mm_per_px.toFixed(2)} mm.` +
+    (isMarked ? ` Inside, from left to right: ${things}.` : "")
   );
 }

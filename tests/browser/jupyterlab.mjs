@@ -1,0 +1,68 @@
+// node jupyterlab.mjs SERVER NOTEBOOK: opens a notebook in JupyterLab, runs it, moves a slider with
+// the mouse and with the keyboard, and prints what explorer and kernel say. test_jupyterlab.py
+// says what is right.
+
+import { DESKTOP, main } from "./_browser.mjs";
+
+const START_MS = 120_000; // a cold JupyterLab on a busy machine
+const STEP_MS = 60_000;
+
+await main(async (browser, server, notebook) => {
+  const context = await browser.newContext({ viewport: DESKTOP });
+  const page = await context.newPage();
+  page.setDefaultTimeout(STEP_MS);
+  await page.goto(new URL(`lab/tree/${notebook}`, server).href);
+  await page.locator(".jp-Notebook .jp-CodeCell").first().waitFor({ timeout: START_MS });
+  // what is run before the kernel has started is lost
+  await page.getByText("| Idle").waitFor({ timeout: START_MS });
+  await run(page, 0);
+  const explorer = page.locator('.explorer[data-state="ready"]');
+  await explorer.waitFor({ timeout: START_MS });
+  const read = async () => ({
+    page: await explorer.evaluate((one) => JSON.parse(one.dataset.parameters)),
+    python: await ask(page, 1),
+  });
+  const before = await read();
+
+  const handle = page.locator(".explorer-box .noUi-handle").first();
+  await handle.scrollIntoViewIfNeeded();
+  const from = await handle.boundingBox();
+  const [x, y] = [from.x + from.width / 2, from.y + from.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 4 });
+  await page.mouse.up();
+  const dragged = await read();
+
+  await handle.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  const pressed = await read();
+
+  await page.locator(".explorer").getByRole("button", { name: "Reset" }).click();
+  const reset = await read();
+  const name = await handle.getAttribute("aria-label");
+  await context.close();
+  return { before, dragged, pressed, reset, name };
+});
+
+/** Runs a cell and waits for its new number. */
+async function run(page, place) {
+  const getNumber = (at) => document.querySelectorAll(".jp-InputPrompt")[at]?.textContent ?? "";
+  const old = await page.evaluate(getNumber, place);
+  await page.locator(".jp-CodeCell").nth(place).locator(".cm-content").click();
+  await page.keyboard.press("Control+Enter");
+  const hasRun = ([at, before]) => {
+    const now = document.querySelectorAll(".jp-InputPrompt")[at]?.textContent ?? "";
+    return /\[\d+\]/.test(now) && now !== before;
+  };
+  await page.waitForFunction(hasRun, [place, old]);
+}
+
+/** Runs a cell that prints JSON, and reads it. */
+async function ask(page, place) {
+  await page.waitForTimeout(500); // what the page changed reaches the kernel
+  await run(page, place);
+  const output = page.locator(".jp-CodeCell").nth(place).locator(".jp-OutputArea-output pre");
+  return JSON.parse(await output.last().textContent());
+}

@@ -1,0 +1,118 @@
+"""In JupyterLab an explorer works as on the page, and Python reads what the reader chose."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from contextlib import contextmanager
+
+import nbformat
+import pytest
+
+EXPLORE = """\
+import json
+from labutils import make_scene
+from labutils.explorers import explore_fov
+explorer = explore_fov(*make_scene())
+explorer"""
+READ = 'print(json.dumps({"fov_y": explorer.fov_y, "f": explorer.K[0, 0]}))'
+LONGEST_START = 120  # seconds
+
+
+@contextmanager
+def serve_lab(folder):
+    """Start JupyterLab in a folder, without a browser and without a password, on this machine."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    options = {
+        "ServerApp.ip": "127.0.0.1",
+        "ServerApp.port": port,
+        "ServerApp.open_browser": False,
+        "ServerApp.root_dir": folder,
+        "IdentityProvider.token": "",
+        "LabApp.collaborative": False,
+        "LabApp.news_url": "",
+    }
+    environment = os.environ | {
+        name: str(folder / ".jupyter")
+        for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")
+    }
+    command = [sys.executable, "-m", "jupyter", "lab", "--allow-root"]
+    command += [f"--{name}={value}" for name, value in options.items()]
+    with (
+        (folder / "server.log").open("w") as log,
+        subprocess.Popen(
+            command, stdout=log, stderr=subprocess.STDOUT, cwd=folder, env=environment
+        ) as server,
+    ):
+        try:
+            address = f"http://127.0.0.1:{port}/"
+            wait_for(server, address, folder / "server.log")
+            yield address
+        finally:
+            server.terminate()
+
+
+def wait_for(server, address, log):
+    end = time.monotonic() + LONGEST_START
+    while time.monotonic() < end and server.poll() is None:
+        try:
+            with urllib.request.urlopen(f"{address}api", timeout=5):  # noqa: S310 - our own server
+                return
+        except OSError:
+            time.sleep(0.3)
+    pytest.fail(f"JupyterLab did not start:\n{log.read_text()[-2000:]}")
+
+
+@pytest.fixture(scope="module")
+def seen(tmp_path_factory, chromium):
+    folder = tmp_path_factory.mktemp("lab")
+    notebook = nbformat.v4.new_notebook()
+    notebook.metadata["kernelspec"] = {
+        "name": "python3",
+        "display_name": "Python 3",
+        "language": "python",
+    }
+    notebook.cells = [nbformat.v4.new_code_cell(source) for source in (EXPLORE, READ)]
+    nbformat.write(notebook, folder / "explore.ipynb")
+    with serve_lab(folder) as address:
+        return chromium("jupyterlab.mjs", address, "explore.ipynb")
+
+
+def to_degrees(radians):
+    return radians * 180 / 3.141592653589793
+
+
+def agree(seen):
+    return to_degrees(seen["python"]["fov_y"]) == pytest.approx(seen["page"]["fov_y_deg"])
+
+
+@pytest.mark.slow
+def test_python_reads_where_the_slider_was_dragged(seen):
+    assert seen["dragged"]["page"]["fov_y_deg"] > seen["before"]["page"]["fov_y_deg"] + 5
+    assert agree(seen["before"])
+    assert agree(seen["dragged"])
+    assert seen["dragged"]["python"]["f"] < seen["before"]["python"]["f"]
+
+
+@pytest.mark.slow
+def test_arrow_keys_move_the_slider_and_not_the_notebook(seen):
+    moved = seen["pressed"]["page"]["fov_y_deg"] - seen["dragged"]["page"]["fov_y_deg"]
+    assert moved == pytest.approx(1.0)  # two steps of half a degree
+    assert agree(seen["pressed"])
+
+
+@pytest.mark.slow
+def test_reset_reaches_python_too(seen):
+    assert seen["reset"]["python"]["fov_y"] == pytest.approx(seen["before"]["python"]["fov_y"])
+    assert agree(seen["reset"])
+
+
+@pytest.mark.slow
+def test_the_slider_has_a_name_there_too(seen):
+    assert seen["name"] == "fov_y (°)"
