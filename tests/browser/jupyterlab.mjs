@@ -18,10 +18,10 @@ await main(async (browser, server, notebook) => {
   await run(page, 0);
   const explorer = page.locator('.explorer[data-state="ready"]');
   await explorer.waitFor({ timeout: START_MS });
-  const read = async () => ({
-    page: await explorer.evaluate((one) => JSON.parse(one.dataset.parameters)),
-    python: await ask(page, 1),
-  });
+  const read = async () => {
+    const python = await ask(page, 1); // first: by then the page has drawn, too
+    return { python, page: await explorer.evaluate((one) => JSON.parse(one.dataset.parameters)) };
+  };
   const before = await read();
 
   const handle = page.locator(".explorer-box .noUi-handle").first();
