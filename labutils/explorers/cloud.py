@@ -236,7 +236,10 @@ def explore_cloud(
     turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8), cv2.COLORMAP_TURBO)
     view = CloudView(
         label="Point cloud explorer",
-        help="Drag to walk around, click to pick a point. Click first to zoom with the wheel.",
+        help=(
+            "Drag to walk around, click to pick a point; after a click the wheel zooms. "
+            "Keys: arrows, +, -, Home."
+        ),
         rgb_png=encode_rgb(rgb),
         depth_png=encode_depth(depth),
         palette=turbo[0, :, ::-1].tobytes(),

@@ -20,7 +20,9 @@ from labutils.explorers._cloud_start import turn_to_view
 from tests.explorers.test_cloud import FACES
 
 ROOT = Path(__file__).resolve().parents[2]
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), "")
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
+)
 KINDS = ("webgl2", "2d")
 
 pytestmark = [
@@ -122,15 +124,17 @@ def test_it_draws_with_what_the_browser_has(seen, folder, kind):
     assert 0 < near < find_drawn(read(folder, kind, "camera")).mean()
 
 
-@pytest.mark.parametrize("name", ["start", "camera", "near"])
-def test_both_ways_of_drawing_show_the_same(seen, folder, name):
+@pytest.mark.usefixtures("seen")
+@pytest.mark.parametrize("name", ["start", "camera", "near", "behind"])
+def test_both_ways_of_drawing_show_the_same(folder, name):
     one, other = (read(folder, kind, name) for kind in KINDS)
     assert one.shape == other.shape
     # squares may be a pixel larger or smaller, which shows along edges and in textures
     assert (np.abs(one - other).max(axis=2) > 40).mean() < 0.06
 
 
-def test_the_cameras_view_is_its_picture(seen, folder, explorer):
+@pytest.mark.usefixtures("seen")
+def test_the_cameras_view_is_its_picture(folder, explorer):
     picture = read(folder, "webgl2", "camera")
     rgb = cv2.imdecode(np.frombuffer(explorer.view.rgb_png, np.uint8), cv2.IMREAD_COLOR)
     height, width = picture.shape[:2]
@@ -229,7 +233,8 @@ def test_reset_brings_everything_back(seen, kind):
     assert reset == start
 
 
-def test_a_lost_context_falls_back_to_the_canvas(seen, folder):
+@pytest.mark.usefixtures("seen")
+def test_a_lost_context_falls_back_to_the_canvas(folder):
     start, lost = (read(folder, "webgl2", name) for name in ("start", "lost"))
     assert (np.abs(start - lost).max(axis=2) > 40).mean() < 0.06
 

@@ -97,8 +97,12 @@ def test_the_page_computes_the_values_that_python_computes(explorer):
         for far in (0.5, 1.7, far_at_a_point, 2.999)
         for pixel in ([], [9, 12], [46, 30], hole)
     ]
-    code = READ_CLOUD + """
-    import { assumeIntrinsics, findPoint, makeCounter, measureAngle } from "STATIC/_cloud_points.js";
+    code = (
+        READ_CLOUD
+        + """
+    import {
+      assumeIntrinsics, findPoint, makeCounter, measureAngle,
+    } from "STATIC/_cloud_points.js";
     const count = makeCounter(cloud);
     show(data.settings.map(({ fov_y_deg, far, pixel }) => {
       const { K, stretch } = assumeIntrinsics(cloud.trueK, cloud.trueFov, fov_y_deg);
@@ -106,6 +110,7 @@ def test_the_page_computes_the_values_that_python_computes(explorer):
                ...findPoint(cloud, pixel, K, far) };
     }));
     """
+    )
     found = run_node(code, {**fixture_of(view), "settings": settings})
     for setting, values in zip(settings, found, strict=True):
         explorer.move(**setting)
@@ -215,7 +220,9 @@ def test_colors_follow_depth_and_height(explorer):
     view = explorer.view
     explorer.move(fov_y_deg=50.0)
     K = explorer.K
-    code = READ_CLOUD + """
+    code = (
+        READ_CLOUD
+        + """
     import { colorPoints } from "STATIC/_cloud_points.js";
     show([0, 1, 2].map((mode) => {
       const out = new Uint32Array(cloud.steps.length);
@@ -223,6 +230,7 @@ def test_colors_follow_depth_and_height(explorer):
       return [...out];
     }));
     """
+    )
     fixture = {**fixture_of(view), "K": K.tolist()}
     own, by_depth, by_height = run_node(code, fixture)
     assert own == np.frombuffer(base64.b64decode(fixture["rgba"]), "<u4").tolist()
@@ -250,12 +258,15 @@ def test_the_palette_is_the_librarys_turbo(explorer):
     assert np.abs(palette / 255 - get_depth_colors(ramp)).max() < 0.03
 
 
-SPLAT = READ_CLOUD + """
+SPLAT = (
+    READ_CLOUD
+    + """
 import { makeSplatBuffer, pickDrawn, splatPoints } from "STATIC/_splat.js";
 const look = { eyeFromCamera: data.eye, focal: data.focal, K: cloud.trueK, far: data.far };
 const buffer = makeSplatBuffer(...data.size);
 splatPoints(cloud, look, buffer, data.stride);
 """
+)
 
 
 def draw_slowly(points, kept, fy, eye, focal, size, stride):
@@ -313,11 +324,14 @@ def test_picking_finds_the_front_point_or_the_closest_drawn():
         **fixture_of(view), "eye": make_view_transform(orbit)[:3].ravel().tolist(),
         "focal": 40.0, "far": 5.0, "size": (100, 80), "stride": 1,
     }  # fmt: skip
-    code = SPLAT + """
+    code = (
+        SPLAT
+        + """
     const pick = (x, y, slack) => pickDrawn(buffer, x, y, slack);
     show([new Set(buffer.ids).size, pick(50, 40, 0), pick(58.5, 40, 5), pick(58.5, 40, 9),
           pick(0, 0, 4), pick(-3, 200, 4)]);
     """
+    )
     kinds, on_it, beside, within, corner, outside = run_node(code, data)
     front = 1 * 5 + 2
     assert kinds == 2  # nothing, and the front point

@@ -27,8 +27,10 @@ export function isValid({ minDepth }, depth, far) {
 export function makeCounter(cloud) {
   const counts = new Uint32Array(65536);
   for (const step of cloud.steps) counts[step]++;
+  let [asked, sum] = [NaN, 0];
   return (far) => {
-    let sum = 0;
+    if (far === asked) return sum;
+    [asked, sum] = [far, 0];
     for (let step = 0; step < counts.length; step++) {
       if (counts[step] && isValid(cloud, Math.fround(step * cloud.depthStep), far)) sum += counts[step];
     }

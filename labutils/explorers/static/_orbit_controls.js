@@ -43,7 +43,9 @@ export function makeOrbitControls({ model, frame, surface, pick }) {
     const [gapBefore, gap] = [spread(fingers), spread(fingers.set(event.pointerId, now))];
     if (gapBefore && gap) look(zoomOrbit(model.get("orbit"), gapBefore / gap));
     else if (moved > CLICK_SLACK[event.pointerType]) {
-      look(turnOrbit(model.get("orbit"), -dx * DEGREES_PER_PIXEL, dy * DEGREES_PER_PIXEL));
+      const scrolls = event.pointerType === "touch" && !surface.matches(":focus");
+      const tilt = scrolls ? 0 : dy * DEGREES_PER_PIXEL;
+      look(turnOrbit(model.get("orbit"), -dx * DEGREES_PER_PIXEL, tilt));
     }
   });
   const release = (event) => {

@@ -161,7 +161,12 @@ function makePainter(surface, cloud, frame) {
     stand.forget = () => canvas.removeEventListener("webglcontextlost", onLost);
     return true;
   };
-  if (!use(makeGlPainter)) use(makeCanvasPainter);
+  try {
+    use(makeGlPainter);
+  } catch (error) {
+    console.warn(error.message); // a driver that cannot run the program: the canvas can
+  }
+  if (!stand.painter) use(makeCanvasPainter);
   frame.cleanups.push(() => {
     stand.forget();
     stand.painter.destroy();
@@ -175,7 +180,7 @@ function makeScale(parent, cloud) {
   const low = make("span", "", scale);
   const bar = make("span", "explorer-cloud-bar", scale);
   const high = make("span", "", scale);
-  const stops = Array.from({ length: 17 }, (_, i) => `rgb(${cloud.palette.slice(4 * Math.min(255, i * 16), 4 * Math.min(255, i * 16) + 3)})`);
+  const stops = Array.from({ length: 18 }, (_, i) => `rgb(${cloud.palette.slice(60 * i, 60 * i + 3)})`);
   bar.style.background = `linear-gradient(to right, ${stops.join(", ")})`;
   return (mode) => {
     scale.style.visibility = mode ? "visible" : "hidden";
