@@ -24,6 +24,9 @@ CHROMIUM = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
 )
 KINDS = ("webgl2", "2d")
+#: Share of pixels in which two ways of drawing may differ: a square's edge may round to the next
+#: pixel, in one of a thousand here. Without a depth test it is 9 to 17 of a thousand.
+MAX_DIFFERENT = 0.004
 
 pytestmark = [
     pytest.mark.slow,
@@ -129,8 +132,7 @@ def test_it_draws_with_what_the_browser_has(seen, folder, kind):
 def test_both_ways_of_drawing_show_the_same(folder, name):
     one, other = (read(folder, kind, name) for kind in KINDS)
     assert one.shape == other.shape
-    # squares may be a pixel larger or smaller, which shows along edges and in textures
-    assert (np.abs(one - other).max(axis=2) > 40).mean() < 0.06
+    assert (np.abs(one - other).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.usefixtures("seen")
@@ -236,7 +238,7 @@ def test_reset_brings_everything_back(seen, kind):
 @pytest.mark.usefixtures("seen")
 def test_a_lost_context_falls_back_to_the_canvas(folder):
     start, lost = (read(folder, "webgl2", name) for name in ("start", "lost"))
-    assert (np.abs(start - lost).max(axis=2) > 40).mean() < 0.06
+    assert (np.abs(start - lost).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.parametrize("kind", KINDS)
