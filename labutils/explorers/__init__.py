@@ -6,6 +6,7 @@ runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
 
 from __future__ import annotations
 
+from labutils.explorers.cloud import CloudExplorer, explore_cloud
 from labutils.explorers.fov import FovExplorer, explore_fov
 
-__all__ = ["FovExplorer", "explore_fov"]
+__all__ = ["CloudExplorer", "FovExplorer", "explore_cloud", "explore_fov"]

@@ -1,0 +1,264 @@
+"""Explore a point cloud: walk around it, pick a point, and bend it with a wrong field of view.
+
+Taught in: step 5 (back-projection) and step 6 (viewing).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import cv2
+import numpy as np
+import traitlets
+
+from labutils._constants import MAX_DEPTH, MIN_DEPTH
+from labutils.depth_processing import find_valid_depth
+from labutils.explorers._base import (
+    DEPTH_STEP,
+    Explorer,
+    View,
+    decode_depth,
+    decode_rgb,
+    encode_depth,
+    encode_rgb,
+    make_choice,
+    make_slider,
+)
+from labutils.explorers._cloud_poster import VIEW_FOV_DEG, draw_cloud
+from labutils.explorers._cloud_start import (
+    check_faces,
+    check_pixel,
+    check_transform,
+    find_limits,
+    make_start_orbit,
+)
+from labutils.explorers._modules import join_modules
+from labutils.pointcloud import depth_to_pointcloud, pixels_to_points
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+
+_COLORS = ("RGB", "depth", "height")
+
+
+class CloudView(View):
+    """The cloud, the camera's picture beside it, and the point that was picked in either."""
+
+    _esm = join_modules("cloud")
+    rgb_png = traitlets.Bytes().tag(sync=True)
+    depth_png = traitlets.Bytes().tag(sync=True)
+    depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)
+    min_depth = traitlets.Float(MIN_DEPTH).tag(sync=True)
+    #: 256 colors from blue to red, three bytes each: OpenCV's turbo.
+    palette = traitlets.Bytes().tag(sync=True)
+    #: Intrinsic matrix of the camera as it is, rows of three; the angle that goes with it.
+    true_K: Any = traitlets.List().tag(sync=True)  # noqa: N815 - the field's name
+    true_fov_y_deg = traitlets.Float(45.0).tag(sync=True)
+    #: Pose of the camera in the world, rows of four; [] where the cloud stays in its frame.
+    T_world_cam: Any = traitlets.List().tag(sync=True)
+    #: Two flat faces that meet at a right angle: [name, three pixels] each; [] for none.
+    faces: Any = traitlets.List().tag(sync=True)
+    #: Least and most of the colors' scales in meters, which no control moves.
+    depth_limits = traitlets.List([0.0, 1.0]).tag(sync=True)
+    height_limits = traitlets.List([0.0, 1.0]).tag(sync=True)
+    view_fov_deg = traitlets.Float(VIEW_FOV_DEG).tag(sync=True)
+
+    fov_y_deg = traitlets.Float(45.0).tag(sync=True)
+    far = traitlets.Float(MAX_DEPTH).tag(sync=True)
+    #: Place of the coloring: RGB, depth, height.
+    color = traitlets.Int(0).tag(sync=True)
+    pixel = traitlets.List(traitlets.Int()).tag(sync=True)
+    #: Where the reader looks from: `azimuth_deg`, `elevation_deg`, `distance`, `target`.
+    orbit = traitlets.Dict().tag(sync=True)
+
+    PARAMETERS: ClassVar = ("fov_y_deg", "far", "color", "pixel", "orbit")
+
+    @traitlets.validate("pixel")
+    def _check_pixel(self, proposal: dict[str, Any]) -> list[int]:
+        if not self.depth_png:  # the picture comes first
+            return list(proposal["value"])
+        try:
+            return check_pixel(proposal["value"], self.depth.shape)
+        except ValueError as error:
+            raise traitlets.TraitError(str(error)) from None
+
+    @property
+    def depth(self) -> np.ndarray:
+        """The depth image as the page has it, float32 (H, W) in meters."""
+        return decode_depth(self.depth_png)
+
+    @property
+    def assumed_K(self) -> np.ndarray:  # noqa: N802 - the field's name
+        """Intrinsic matrix that belongs to the field of view of the slider."""
+        K = np.array(self.true_K)
+        K[[0, 1], [0, 1]] /= self.stretch
+        return K
+
+    @property
+    def stretch(self) -> float:
+        """Ratio by which the field of view of the slider makes the cloud too wide."""
+        half, true_half = np.radians([self.fov_y_deg / 2, self.true_fov_y_deg / 2])
+        return float(np.tan(half) / np.tan(true_half))
+
+    def compute(self) -> dict[str, Any]:
+        """Compute what the read-out tells: points, f, how wrong it is, and the picked point."""
+        depth = self.depth
+        valid = find_valid_depth(depth, max_depth=self.far)
+        K = self.assumed_K
+        point, in_world = None, None
+        if self.pixel and valid[self.pixel[1], self.pixel[0]]:
+            u, v = self.pixel
+            point = pixels_to_points(np.array([[u, v]]), depth[v : v + 1, u], K)[0]
+            if self.T_world_cam:
+                in_world = (np.array(self.T_world_cam) @ [*point, 1.0])[:3].tolist()
+            point = point.tolist()
+        return {
+            "points": int(np.count_nonzero(valid)),
+            "f": float(K[1, 1]),
+            "stretch": self.stretch,
+            "angle_deg": self._measure_angle(depth, K),
+            "point_camera": point,
+            "point_world": in_world,
+        }
+
+    def _measure_angle(self, depth: np.ndarray, K: np.ndarray) -> float | None:
+        """Measure the angle in which the two faces meet, on the side that the camera sees."""
+        if not self.faces:
+            return None
+        normals = []
+        for _, pixels in self.faces:
+            u, v = np.transpose(pixels)
+            first, second, third = pixels_to_points(np.array(pixels), depth[v, u], K)
+            normal = np.cross(second - first, third - first)
+            normals.append(-np.sign(normal @ first) * normal / np.linalg.norm(normal))
+        return float(180 - np.degrees(np.arccos(np.clip(normals[0] @ normals[1], -1, 1))))
+
+    def describe(self) -> str:
+        """Say the count, and what the field of view makes of it."""
+        values = self.compute()
+        angle = "" if values["angle_deg"] is None else f", faces meet at {values['angle_deg']:.1f}°"
+        return (
+            f"Point cloud: {values['points']} points, f = {values['f']:.1f} px, "
+            f"{values['stretch']:.2f} times as wide as it should be{angle}"
+        )
+
+    def draw_poster(self) -> np.ndarray:
+        """Draw the cloud as it is, from where the view starts."""
+        K = np.array(self.true_K)
+        points, colors = depth_to_pointcloud(self.depth, K, decode_rgb(self.rgb_png))
+        T_world_cam = np.array(self.T_world_cam) if self.T_world_cam else None
+        return draw_cloud(points, colors, T_world_cam, self.start["orbit"])
+
+
+class CloudExplorer(Explorer):
+    """What `explore_cloud` returns: the values, as Python reads them."""
+
+    view: CloudView
+
+    @property
+    def fov_y(self) -> float:
+        """Assumed angle from top to bottom in radians."""
+        return float(np.radians(self.view.fov_y_deg))
+
+    @property
+    def K(self) -> np.ndarray:  # noqa: N802 - the field's name
+        """Intrinsic matrix of the assumed angle, float64 (3, 3)."""
+        return self.view.assumed_K
+
+    @property
+    def far(self) -> float:
+        """Points at or beyond this depth, in meters, are left out."""
+        return float(self.view.far)
+
+    @property
+    def pixel(self) -> tuple[int, int] | None:
+        """The picked pixel (u, v), or None."""
+        return (self.view.pixel[0], self.view.pixel[1]) if self.view.pixel else None
+
+    @property
+    def point(self) -> np.ndarray | None:
+        """The point of that pixel, float64 (3,); None where there is none.
+
+        In the world frame where the camera's pose was given, else in the camera frame.
+        """
+        values = self.view.compute()
+        found = values["point_world"] or values["point_camera"]
+        return None if found is None else np.array(found)
+
+
+def explore_cloud(
+    rgb: np.ndarray,
+    depth: np.ndarray,
+    K: np.ndarray,
+    T_world_cam: np.ndarray | None = None,
+    *,
+    faces: Mapping[str, Sequence[Sequence[int]]] | None = None,
+    pixel: Sequence[int] | None = None,
+) -> CloudExplorer:
+    """Walk around the points of a color and a depth picture, and pick some.
+
+    Parameters
+    ----------
+    rgb : ndarray, uint8, shape (H, W, 3)
+        Colors.
+    depth : ndarray, real, shape (H, W)
+        Meters along the optical axis; kept in steps of 0.2 mm.
+    K : array-like, shape (3, 3)
+        Intrinsic matrix: the angle that goes with it is the first one shown.
+    T_world_cam : array-like, shape (4, 4), optional
+        Pose of the camera (see `get_camera_pose`). Without it the cloud is in the camera frame,
+        and height is height above the camera.
+    faces : mapping of str to three pixels, optional
+        Two flat things that meet at a right angle, by name: three (u, v) on each. The view
+        measures the angle between them, which a wrong field of view bends.
+    pixel : (u, v), optional
+        The pixel picked first.
+
+    Returns
+    -------
+    CloudExplorer
+        Shows itself as the last line of a cell; has `fov_y` in radians, `K`, `far`, `pixel` and
+        `point`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the pictures or K are not what `depth_to_pointcloud` takes, nothing lies within its
+        limits, the pose is none, a pixel lies outside or on nothing, or three lie on a line.
+    """
+    depth = decode_depth(encode_depth(depth))  # what the page gets: every limit is derived from it
+    points, _ = depth_to_pointcloud(depth, K, rgb)
+    if len(points) == 0:
+        raise ValueError(f"depth: expected a reading from {MIN_DEPTH} to {MAX_DEPTH} m, got none")
+    K = np.array(K, np.float64)
+    pose = None if T_world_cam is None else check_transform(T_world_cam)
+    limits = find_limits(points, K, depth.shape[0], pose)
+    turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8), cv2.COLORMAP_TURBO)
+    view = CloudView(
+        label="Point cloud explorer",
+        help=(
+            "Drag to walk around, click to pick a point; after a click the wheel zooms. "
+            "Keys: arrows, +, -, Home."
+        ),
+        rgb_png=encode_rgb(rgb),
+        depth_png=encode_depth(depth),
+        palette=turbo[0, :, ::-1].tobytes(),
+        true_K=K.tolist(),
+        true_fov_y_deg=limits.fov_y_deg,
+        T_world_cam=[] if pose is None else pose.tolist(),
+        faces=[] if faces is None else check_faces(faces, depth),
+        depth_limits=limits.depth,
+        height_limits=limits.height,
+        fov_y_deg=limits.fov_y_deg,
+        far=limits.far[1],
+        pixel=[] if pixel is None else check_pixel(pixel, depth.shape),
+        orbit=make_start_orbit(points, pose),
+    )
+    return CloudExplorer(
+        view,
+        {
+            "fov_y_deg": make_slider("fov_y", limits.fov, 0.5, unit="°", digits=1),
+            "far": make_slider("far", limits.far, 0.05, unit="m", digits=2),
+            "color": make_choice("color", _COLORS),
+        },
+    )
