@@ -7,5 +7,6 @@ runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
 from __future__ import annotations
 
 from labutils.explorers.fov import FovExplorer, explore_fov
+from labutils.explorers.hsv import HsvExplorer, explore_hsv
 
-__all__ = ["FovExplorer", "explore_fov"]
+__all__ = ["FovExplorer", "HsvExplorer", "explore_fov", "explore_hsv"]
