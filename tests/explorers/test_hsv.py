@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import cv2
@@ -21,6 +22,7 @@ from labutils.explorers import explore_hsv
 from labutils.explorers._base import encode_rgb
 from labutils.explorers._modules import join_modules
 from labutils.explorers.hsv import FULL_RANGE
+from tests.helpers.node import run_node
 
 
 @pytest.fixture(scope="module")
@@ -142,6 +144,13 @@ def test_wrong_arguments_are_named(
 ) -> None:
     with pytest.raises(error, match=message):
         explore_hsv(**{"rgb": np.zeros((4, 4, 3), np.uint8), **arguments})
+
+
+def test_the_joined_view_is_one_module_with_a_default_export(tmp_path: Path) -> None:
+    module = tmp_path / "joined.mjs"
+    module.write_text(join_modules("hsv"), encoding="utf-8")
+    code = "console.log(Object.keys((await import(process.argv[1])).default));"
+    assert run_node(code, module.as_uri()).strip() == "[ 'render' ]"
 
 
 def test_no_code_of_the_view_sends_anything() -> None:

