@@ -51,8 +51,7 @@ export function makeRegionFinder(width, height) {
         }
       }
       if (!best.area) return null; // nothing, or only lines and dots
-      // in OpenCV's order of operations: a quotient just below a whole number must stay below
-      const divide = (moment) => Math.floor((moment * (1 / 6)) / (best.area * 0.5));
+      const divide = (moment) => Math.floor(moment / (3 * best.area));
       return [divide(best.alongX), divide(best.alongY)];
     },
   };
