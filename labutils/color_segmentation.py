@@ -134,22 +134,18 @@ def visualize_detection(
     return result
 
 
-def _check_hsv_range(value: Any) -> tuple[np.ndarray, np.ndarray]:
+def _check_hsv_range(value: Any, name: str = "target_hsv_range") -> tuple[np.ndarray, np.ndarray]:
     """Return (low, high) as int arrays of 3, or raise."""
     limits = np.asarray(value)
     if limits.shape != (2, 3):
-        raise ValueError(f"target_hsv_range: expected ((h, s, v), (h, s, v)), got {value!r}")
+        raise ValueError(f"{name}: expected ((h, s, v), (h, s, v)), got {value!r}")
     if limits.dtype.kind not in "iu":
-        raise TypeError(f"target_hsv_range: expected whole numbers, got {value!r}")
+        raise TypeError(f"{name}: expected whole numbers, got {value!r}")
     low, high = limits.astype(np.int64)
     top = np.array([MAX_HUE, 255, 255])
     if (limits < 0).any() or (limits > top).any():
         hint = " (hue is 0-179 in OpenCV: degrees halved)" if (limits[:, 0] > MAX_HUE).any() else ""
-        raise ValueError(
-            f"target_hsv_range: expected 0 to {tuple(top.tolist())}, got {value!r}{hint}"
-        )
+        raise ValueError(f"{name}: expected 0 to {tuple(top.tolist())}, got {value!r}{hint}")
     if low[1] > high[1] or low[2] > high[2]:
-        raise ValueError(
-            f"target_hsv_range: only hue wraps; expected low <= high for s and v, got {value!r}"
-        )
+        raise ValueError(f"{name}: only hue wraps; expected low <= high for s and v, got {value!r}")
     return low, high

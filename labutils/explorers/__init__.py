@@ -8,5 +8,6 @@ from __future__ import annotations
 
 from labutils.explorers.cloud import CloudExplorer, explore_cloud
 from labutils.explorers.fov import FovExplorer, explore_fov
+from labutils.explorers.hsv import HsvExplorer, explore_hsv
 
-__all__ = ["CloudExplorer", "FovExplorer", "explore_cloud", "explore_fov"]
+__all__ = ["CloudExplorer", "FovExplorer", "HsvExplorer", "explore_cloud", "explore_fov", "explore_hsv"]

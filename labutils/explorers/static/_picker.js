@@ -10,7 +10,6 @@ const LEAP = 10; // pixels per key press with Shift
  * Shift makes the arrow keys ten times as fast. Returns the function that moves the mark.
  */
 export function makePicker({ model, frame, canvas, name = "pixel", label }) {
-  const { width, height } = canvas;
   const holder = make("div", "explorer-picker");
   canvas.replaceWith(holder);
   holder.append(canvas);
@@ -22,14 +21,14 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
 
   const choose = (u, v) => {
     const clamp = (value, size) => Math.min(size - 1, Math.max(0, Math.round(value)));
-    setTraits(model, { [name]: [clamp(u, width), clamp(v, height)] });
+    setTraits(model, { [name]: [clamp(u, canvas.width), clamp(v, canvas.height)] });
   };
   const fromPointer = (event) => {
     const box = canvas.getBoundingClientRect();
     // a pixel's number names its center, so half a pixel lies to its left
     choose(
-      ((event.clientX - box.left) / box.width) * width - 0.5,
-      ((event.clientY - box.top) / box.height) * height - 0.5,
+      ((event.clientX - box.left) / box.width) * canvas.width - 0.5,
+      ((event.clientY - box.top) / box.height) * canvas.height - 0.5,
     );
   };
   canvas.addEventListener("pointerdown", (event) => {
@@ -43,7 +42,8 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
   canvas.addEventListener("keydown", (event) => {
     const step = KEYS[event.key];
     if (!step) return;
-    const [u, v] = model.get(name).length ? model.get(name) : [width >> 1, height >> 1];
+    const picked = model.get(name);
+    const [u, v] = picked.length ? picked : [canvas.width >> 1, canvas.height >> 1];
     const pace = event.shiftKey ? LEAP : 1;
     choose(u + step[0] * pace, v + step[1] * pace);
     event.preventDefault();
@@ -52,8 +52,8 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
   const place = () => {
     const [u, v] = model.get(name);
     mark.hidden = u === undefined;
-    mark.style.left = `${((u + 0.5) / width) * 100}%`;
-    mark.style.top = `${((v + 0.5) / height) * 100}%`;
+    mark.style.left = `${((u + 0.5) / canvas.width) * 100}%`;
+    mark.style.top = `${((v + 0.5) / canvas.height) * 100}%`;
   };
   model.on(`change:${name}`, place);
   frame.cleanups.push(() => model.off(`change:${name}`, place));

@@ -1,0 +1,66 @@
+// The picture with what is not selected dimmed, or the mask, or the picture alone.
+
+import { toImageData } from "./_png.js";
+
+const [MASK, PICTURE] = [1, 2]; // as in HsvView.shown; 0 is the overlay
+const DIM = 0.4;
+const ARM = 14; // of the cross, in pixels
+
+/** Prepare a canvas for a picture: { width, height, channels, data }. */
+export function makeOverlay(canvas, picture) {
+  const { width, height } = Object.assign(canvas, { width: picture.width, height: picture.height });
+  const context = canvas.getContext("2d");
+  const image = toImageData(picture);
+  // four bytes at a time: pixels are copied, never looked into
+  const out = new Uint32Array(image.data.buffer);
+  const bright = out.slice();
+  const dim = new Uint32Array(dimBytes(image.data).buffer);
+  const [white, black] = new Uint32Array(Uint8Array.of(255, 255, 255, 255, 0, 0, 0, 255).buffer);
+
+  const fill = (mask, inside, outside) => {
+    for (let y = 0, i = 0, at = width + 3; y < height; y++, at += 2) {
+      for (let x = 0; x < width; x++, i++, at++) out[i] = mask[at] ? inside[i] : outside[i];
+    }
+  };
+  const fillMask = (mask) => {
+    for (let y = 0, i = 0, at = width + 3; y < height; y++, at += 2) {
+      for (let x = 0; x < width; x++, i++, at++) out[i] = mask[at] ? white : black;
+    }
+  };
+  return {
+    /** Draw with a mask that has a rim one pixel wide, and a cross at the centroid, if any. */
+    draw(mask, shown, centroid) {
+      if (shown === MASK) fillMask(mask);
+      else if (shown === PICTURE) out.set(bright);
+      else fill(mask, bright, dim);
+      context.putImageData(image, 0, 0);
+      if (centroid) drawCross(context, centroid[0] + 0.5, centroid[1] + 0.5);
+    },
+  };
+}
+
+/** Make a picture gray and dark, so that colors are left only where something is selected. */
+function dimBytes(rgba) {
+  const dim = new Uint8Array(rgba.length);
+  for (let i = 0; i < rgba.length; i += 4) {
+    const gray = DIM * (0.299 * rgba[i] + 0.587 * rgba[i + 1] + 0.114 * rgba[i + 2]);
+    dim[i] = dim[i + 1] = dim[i + 2] = gray;
+    dim[i + 3] = 255;
+  }
+  return dim;
+}
+
+/** White on black: one of the two stands out from anything. */
+function drawCross(context, x, y) {
+  context.lineCap = "round";
+  for (const [color, width] of [["#000", 7], ["#fff", 3]]) {
+    context.strokeStyle = color;
+    context.lineWidth = width;
+    context.beginPath();
+    context.moveTo(x - ARM, y);
+    context.lineTo(x + ARM, y);
+    context.moveTo(x, y - ARM);
+    context.lineTo(x, y + ARM);
+    context.stroke();
+  }
+}

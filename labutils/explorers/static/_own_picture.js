@@ -1,0 +1,134 @@
+// The reader's own picture: from a file, dropped, pasted, or from the camera. It is read in this
+// page and kept in this page: nothing here sends, and no trait holds it.
+
+import { make } from "./_frame.js";
+import { openWebcam } from "./_webcam.js";
+
+/**
+ * Add the buttons below the frame. `show` gets a picture, at most of `size`, or null for the scene's;
+ * `place` is where pictures are dropped, and where the camera shows what it sees.
+ */
+export function acceptPictures({ frame, place, size, show }) {
+  const bar = make("div", "explorer-own", frame.root);
+  const addButton = (text, act) => {
+    const button = make("button", "explorer-button", bar);
+    button.type = "button";
+    button.textContent = text;
+    button.addEventListener("click", act);
+    return button;
+  };
+  const chooser = make("input", "", bar);
+  Object.assign(chooser, { type: "file", accept: "image/*", hidden: true });
+  const choose = addButton("Open picture", () => chooser.click());
+  const camera = addButton("Camera", () => webcam.start());
+  const take = addButton("Take the picture", () => webcam.take());
+  const cancel = addButton("Cancel", () => {
+    webcam.stop();
+    say("");
+  });
+  const back = addButton("Back to scene", () => {
+    latest++;
+    show(null);
+    say("");
+    own = false;
+    back.hidden = true;
+    choose.focus();
+  });
+  make("p", "explorer-own-note", bar).textContent =
+    "Your picture stays on this page. You may also drop or paste one.";
+  const message = make("p", "explorer-own-note", bar);
+  message.setAttribute("role", "status");
+  const say = (text) => (message.textContent = text);
+
+  let own = false;
+  let latest = 0; // a large file may be ready after a small one that was opened later
+  const accept = (source) => {
+    show(shrinkPicture(source, size));
+    say("This is your picture.");
+    own = true;
+    back.hidden = false;
+  };
+  const read = async (file) => {
+    webcam.stop();
+    const mine = ++latest;
+    try {
+      const bitmap = await createImageBitmap(file);
+      if (mine === latest) accept(bitmap);
+      bitmap.close();
+    } catch {
+      if (mine === latest) say(`${file.name || "This"} cannot be read as a picture.`);
+    }
+  };
+  const webcam = openWebcam(place, {
+    say,
+    accept(video) {
+      latest++;
+      accept(video);
+    },
+    onChange(running) {
+      const active = document.activeElement;
+      choose.hidden = running;
+      camera.hidden = running || !navigator.mediaDevices?.getUserMedia;
+      take.hidden = cancel.hidden = !running;
+      back.hidden = running || !own;
+      // a button that vanishes would take the focus with it
+      if (bar.contains(active) && active.hidden) (running ? take : camera).focus();
+    },
+  });
+
+  chooser.addEventListener("change", () => {
+    if (chooser.files.length) read(chooser.files[0]);
+    chooser.value = ""; // so that the same file may be opened again
+  });
+  frame.root.addEventListener("paste", (event) => {
+    const file = findPicture(event.clipboardData);
+    if (!file) return;
+    event.preventDefault();
+    read(file);
+  });
+  dropOn(place, read);
+  frame.cleanups.push(() => {
+    latest++;
+    webcam.stop();
+  });
+}
+
+function findPicture(transfer) {
+  return [...(transfer?.files ?? [])].find((file) => file.type.startsWith("image/"));
+}
+
+function dropOn(place, read) {
+  const light = (on) => place.classList.toggle("dropping", on);
+  place.addEventListener("dragover", (event) => {
+    if (![...event.dataTransfer.types].includes("Files")) return;
+    event.preventDefault();
+    event.dataTransfer.dropEffect = "copy";
+    light(true);
+  });
+  place.addEventListener("dragleave", (event) => {
+    if (!place.contains(event.relatedTarget)) light(false);
+  });
+  place.addEventListener("drop", (event) => {
+    light(false);
+    const file = findPicture(event.dataTransfer) ?? event.dataTransfer.files[0];
+    if (!file) return;
+    event.preventDefault(); // else the browser would leave the page and open the file
+    event.stopPropagation();
+    read(file);
+  });
+}
+
+/** Draw a picture or a frame of a video, made to fit `size`; transparent pixels become white. */
+function shrinkPicture(source, size) {
+  const [fullWidth, fullHeight] = [source.videoWidth ?? source.width, source.videoHeight ?? source.height];
+  const scale = Math.min(1, size.width / fullWidth, size.height / fullHeight);
+  const width = Math.max(1, Math.round(fullWidth * scale));
+  const height = Math.max(1, Math.round(fullHeight * scale));
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  const context = canvas.getContext("2d", { willReadFrequently: true });
+  context.fillStyle = "#fff";
+  context.fillRect(0, 0, width, height);
+  context.imageSmoothingQuality = "high";
+  context.drawImage(source, 0, 0, width, height);
+  return { width, height, channels: 4, data: context.getImageData(0, 0, width, height).data };
+}

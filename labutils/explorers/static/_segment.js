@@ -1,0 +1,51 @@
+// From a picture and limits to a mask and what is in it: what labutils.segment_by_color and
+// find_object_centroid do, with any radius. Buffers are made once per picture.
+
+import { findExcluding, markRange, rgbToHsv } from "./_color.js";
+import { countWords, makeMorphology } from "./_morphology.js";
+import { makeRegionFinder } from "./_regions.js";
+
+/** Prepare a picture: { width, height, channels, data }, red first, a byte per value. */
+export function makeSegmenter({ width, height, channels, data }) {
+  const planes = rgbToHsv(data, width * height, channels);
+  const bits = new Uint32Array(countWords(width) * height);
+  const morphology = makeMorphology(width, height);
+  const regions = makeRegionFinder(width, height);
+  const stride = width + 2;
+  return {
+    width,
+    height,
+    /** The mask made last, a byte per pixel inside a rim one pixel wide; not zero is inside. */
+    mask: regions.cells,
+    /** Make the mask; returns what the read-out tells of it. */
+    segment(limits, openRadius, closeRadius) {
+      markRange(planes, limits, width, bits);
+      morphology.open(bits, openRadius);
+      morphology.close(bits, closeRadius);
+      const count = regions.load(bits);
+      return { share: count / (width * height), count, centroid: regions.findCentroid() };
+    },
+    /** What the read-out tells of a pixel [u, v] of the mask made last; [] is none. */
+    describePixel([u, v], limits) {
+      if (u === undefined || u >= width || v >= height) {
+        return {
+          pixel_rgb: null,
+          pixel_hsv: null,
+          pixel_excluded_by: [],
+          pixel_inside: null,
+          pixel_selected: null,
+        };
+      }
+      const at = v * width + u;
+      const hsv = [planes.h[at], planes.s[at], planes.v[at]];
+      const excluding = findExcluding(hsv, limits);
+      return {
+        pixel_rgb: [...data.subarray(at * channels, at * channels + 3)],
+        pixel_hsv: hsv,
+        pixel_excluded_by: excluding,
+        pixel_inside: excluding.length === 0,
+        pixel_selected: regions.cells[(v + 1) * stride + u + 1] !== 0,
+      };
+    },
+  };
+}

@@ -1,0 +1,102 @@
+// HSV limits: what they select, what opening and closing make of it, and where its middle is. The
+// same as labutils.segment_by_color and find_object_centroid; a reader's own picture stays here.
+
+import { drawOnChange, make, makeCanvas, makeFrame, setTraits } from "./_frame.js";
+import { makeHueRing } from "./_hue_ring.js";
+import { acceptPictures } from "./_own_picture.js";
+import { makeOverlay } from "./_overlay.js";
+import { makePicker } from "./_picker.js";
+import { decodePng } from "./_png.js";
+import { makeSegmenter } from "./_segment.js";
+
+const TRAITS = [
+  "hue_from",
+  "hue_to",
+  "saturation_limits",
+  "value_limits",
+  "open_radius",
+  "close_radius",
+  "shown",
+  "pixel",
+];
+
+export default {
+  async render({ model, el }) {
+    const frame = makeFrame({ model, el }, "hsv");
+    try {
+      await startHsv(model, frame);
+    } catch (error) {
+      frame.fail(error);
+    }
+    return () => frame.destroy();
+  },
+};
+
+async function startHsv(model, frame) {
+  const scene = await decodePng(model.get("rgb_png"));
+  frame.stage.classList.add("explorer-hsv");
+  // one place of the scene's shape for every picture, so that nothing moves when it changes
+  const place = make("div", "explorer-hsv-picture", frame.stage);
+  place.style.aspectRatio = `${scene.width} / ${scene.height}`;
+  const canvas = makeCanvas(place, scene.width, scene.height, "The picture");
+  makePicker({ model, frame, canvas, label: "The picture, dimmed where nothing is selected" });
+  const ring = makeHueRing(frame.stage, model);
+
+  let segmenter;
+  let overlay;
+  const show = (picture) => {
+    segmenter = makeSegmenter(picture);
+    overlay = makeOverlay(canvas, picture);
+    const shrink = Math.min(1, (picture.width * scene.height) / (picture.height * scene.width));
+    canvas.parentElement.style.width = `${100 * shrink}%`;
+    frame.root.dataset.picture = picture === scene ? "scene" : "own";
+  };
+  show(scene);
+  const draw = drawOnChange(model, frame, TRAITS, () => {
+    const limits = readLimits(model);
+    const values = segmenter.segment(limits, model.get("open_radius"), model.get("close_radius"));
+    overlay.draw(segmenter.mask, model.get("shown"), values.centroid);
+    Object.assign(values, segmenter.describePixel(model.get("pixel"), limits));
+    ring.show(limits, values.pixel_hsv, values.pixel_rgb);
+    frame.tell(describeSelection(values, model.get("pixel")), values);
+  });
+  acceptPictures({
+    frame,
+    place,
+    size: scene,
+    show(picture) {
+      show(picture ?? scene);
+      setTraits(model, { pixel: [] }); // it was a pixel of another picture
+      draw();
+    },
+  });
+}
+
+/** The six limits, [[h, s, v] low, [h, s, v] high]. */
+function readLimits(model) {
+  const [saturation, value] = [model.get("saturation_limits"), model.get("value_limits")];
+  return [
+    [model.get("hue_from"), saturation[0], value[0]],
+    [model.get("hue_to"), saturation[1], value[1]],
+  ];
+}
+
+function describeSelection({ share, count, centroid, ...picked }, pixel) {
+  const digits = share > 0 && share < 0.0995 ? 2 : 1;
+  const where = centroid ? `(${centroid.join(", ")})` : "none";
+  return (
+    `Selected: ${(100 * share).toFixed(digits)}% (${count} pixels). Centroid: ${where}.` +
+    describePicked(picked, pixel)
+  );
+}
+
+function describePicked(values, pixel) {
+  if (!values.pixel_hsv) return "";
+  const [rgb, hsv] = [values.pixel_rgb.join(" "), values.pixel_hsv.join(" ")];
+  const told = ` Pixel (${pixel.join(", ")}): RGB ${rgb}, HSV ${hsv}, `;
+  const reasons = values.pixel_excluded_by.join(" and by ");
+  if (reasons) {
+    return `${told}excluded by ${reasons}${values.pixel_selected ? ", filled in by closing" : ""}.`;
+  }
+  return `${told}inside${values.pixel_selected ? "" : ", removed by opening"}.`;
+}
