@@ -6,6 +6,7 @@ runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
 
 from __future__ import annotations
 
+from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
 
-__all__ = ["FovExplorer", "explore_fov"]
+__all__ = ["DepthRangeExplorer", "FovExplorer", "explore_depth_range", "explore_fov"]
