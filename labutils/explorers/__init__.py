@@ -6,7 +6,18 @@ runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
 
 from __future__ import annotations
 
+from labutils.explorers.depth_convention import (
+    DepthConventionExplorer,
+    explore_depth_convention,
+)
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
 
-__all__ = ["DepthRangeExplorer", "FovExplorer", "explore_depth_range", "explore_fov"]
+__all__ = [
+    "DepthConventionExplorer",
+    "DepthRangeExplorer",
+    "FovExplorer",
+    "explore_depth_convention",
+    "explore_depth_range",
+    "explore_fov",
+]

@@ -158,7 +158,7 @@ def explore_depth_range(
         Meters. It is shown in steps of 0.2 mm, so shares may differ from yours by the pixels
         within 0.1 mm of a limit.
     near, far : float
-        The range shown first, in meters.
+        The range shown first, in meters; the slider moves in steps of 0.01 m.
     clip : tuple of float
         Near and far clip plane of the camera in meters, see `labutils.get_clip_planes`.
 
@@ -185,7 +185,7 @@ def explore_depth_range(
         depth_png=encode_depth(depth),
         clip_m=list(planes),
         upper_m=upper,
-        range_m=[float(near), float(far)],
+        range_m=[round(float(near), 2), round(float(far), 2)],
     )
     slider = make_range_slider("range", (0.0, upper), 0.01, unit="m", digits=2)
     return DepthRangeExplorer(
