@@ -12,12 +12,15 @@ from labutils.explorers.depth_convention import (
 )
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
+from labutils.explorers.stereo import StereoExplorer, explore_stereo
 
 __all__ = [
     "DepthConventionExplorer",
     "DepthRangeExplorer",
     "FovExplorer",
+    "StereoExplorer",
     "explore_depth_convention",
     "explore_depth_range",
     "explore_fov",
+    "explore_stereo",
 ]
