@@ -72,7 +72,7 @@ class Control(NamedTuple):
     attribute: str = "value"
 
 
-class Explorer(ipywidgets.VBox):
+class Explorer(ipywidgets.VBox):  # type: ignore[misc]  # ipywidgets has no types
     """A view with its controls below.
 
     Parameters
@@ -92,7 +92,10 @@ class Explorer(ipywidgets.VBox):
         }
         for name, (widget, attribute) in self.controls.items():
             setattr(widget, attribute, getattr(view, name))
+        self.links = [
             ipywidgets.jslink((widget, attribute), (view, name))
+            for name, (widget, attribute) in self.controls.items()
+        ]
         box = ipywidgets.Box([control.widget for control in self.controls.values()])
         box.add_class("explorer-controls")
         super().__init__([view, box])
@@ -189,14 +192,12 @@ def encode_depth(depth_metric: np.ndarray) -> bytes:
 
 def decode_depth(png: bytes) -> np.ndarray:
     """Read back what `encode_depth` wrote: float32 (H, W) in meters, 0 where there was none."""
-    steps = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED)
-    return (steps * DEPTH_STEP).astype(np.float32)
+    return (_decode(png) * DEPTH_STEP).astype(np.float32)
 
 
 def decode_rgb(png: bytes) -> np.ndarray:
     """Read back what `encode_rgb` wrote: uint8 (H, W, 3), RGB."""
-    bgr = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR)
-    return cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)
+    return cv2.cvtColor(_decode(png), cv2.COLOR_BGR2RGB)
 
 
 def _encode(image: np.ndarray) -> bytes:
@@ -204,3 +205,10 @@ def _encode(image: np.ndarray) -> bytes:
     if not done:
         raise ValueError(f"image: expected a picture that PNG can hold, got shape {image.shape}")
     return png.tobytes()
+
+
+def _decode(png: bytes) -> np.ndarray:
+    image = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED)
+    if image is None:
+        raise ValueError(f"png: expected the bytes of a PNG file, got {len(png)} others")
+    return image

@@ -9,7 +9,6 @@ import copy
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import cv2
-import mujoco
 import numpy as np
 import traitlets
 
@@ -33,6 +32,8 @@ from labutils.rendering import make_renderer
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    import mujoco
+
 #: Widest view in degrees. One picture this wide holds every narrower one as its middle.
 MAX_FOV_DEG = 100.0
 _MIN_FOV_DEG = 10.0
@@ -52,7 +53,7 @@ class FovView(View):
     size = traitlets.Int(1).tag(sync=True)
     sizes = traitlets.List([list(size) for size in _SIZES]).tag(sync=True)
     #: Things on the table: name, x to the right and z forward in meters, color.
-    landmarks = traitlets.List().tag(sync=True)
+    landmarks: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
 
     PARAMETERS: ClassVar = ("fov_y_deg", "size")
 
@@ -139,7 +140,8 @@ def explore_fov(
     KeyError
         If the model has no such body.
     """
-    fov_y_deg = float(np.degrees(get_camera_intrinsics(model, camera_name, 640, 480)[1]))
+    _, fov_y = get_camera_intrinsics(model, camera_name, 640, 480)
+    fov_y_deg = round(float(np.degrees(fov_y)), 9)  # 45, not 45.00000000000001
     if not _MIN_FOV_DEG <= fov_y_deg <= MAX_FOV_DEG:
         raise ValueError(
             f"camera_name: expected a field of view of {_MIN_FOV_DEG:g} to {MAX_FOV_DEG:g} "
@@ -153,7 +155,7 @@ def explore_fov(
         landmarks=[_find_landmark(model, data, camera_name, name) for name in objects],
     )
     slider = make_slider("fov_y", (_MIN_FOV_DEG, MAX_FOV_DEG), 0.5, unit="°", digits=1)
-    sizes = [f"{width} × {height}" for width, height in _SIZES]
+    sizes = [f"{width} x {height}" for width, height in _SIZES]
     return FovExplorer(view, {"fov_y_deg": slider, "size": make_choice("picture", sizes)})
 
 
@@ -177,7 +179,10 @@ def _find_landmark(
     body = model.body(body_name)
     T_cam_world = np.linalg.inv(get_camera_pose(model, data, camera_name))
     x, _, z = (T_cam_world @ np.append(data.xpos[body.id], 1.0))[:3]
-    red, green, blue = (model.geom_rgba[body.geomadr[0], :3] * 255).round().astype(int)
+    geom = model.geom(body.geomadr[0])
+    material = int(geom.matid[0])
+    rgba = geom.rgba if material < 0 else model.mat_rgba[material]
+    red, green, blue = (rgba[:3] * 255).round().astype(int)
     return {
         "name": body_name.replace("_", " "),
         "x": round(float(x), 4),

@@ -30,6 +30,8 @@ export function makeFrame({ model, el }, name) {
     /** Tell the result: in words, and as values that a test reads. */
     tell(text, values) {
       if (readout.textContent !== text) readout.textContent = text;
+      const parameters = Object.keys(model.get("start")).map((one) => [one, model.get(one)]);
+      root.dataset.parameters = JSON.stringify(Object.fromEntries(parameters));
       root.dataset.values = JSON.stringify(values);
       root.dataset.state = "ready";
       heard ||= text;
@@ -104,7 +106,8 @@ function nameControls(el) {
     }
     nameAll(box);
     observer = new MutationObserver(() => nameAll(box));
-    observer.observe(box, { childList: true, subtree: true });
+    const watched = { attributeFilter: ["class"], childList: true, subtree: true };
+    observer.observe(box, watched);
   });
   return () => {
     cancelAnimationFrame(waiting);
@@ -113,8 +116,10 @@ function nameControls(el) {
 }
 
 function nameAll(box) {
-  for (const control of box.querySelectorAll(".explorer-controls > .jupyter-widgets")) {
-    const name = control.querySelector(".widget-label")?.textContent ?? "";
+  for (const control of box.querySelectorAll(".explorer-controls > *")) {
+    const label = control.querySelector(".widget-label");
+    const name = label?.textContent ?? "";
+    if (label?.title === "null") label.removeAttribute("title");
     const handles = control.querySelectorAll(".noUi-handle");
     handles.forEach((handle, place) => {
       const end = handles.length > 1 ? [", low", ", high"][place] : "";
@@ -125,7 +130,6 @@ function nameAll(box) {
       setOnce(readout, "role", "textbox");
       setOnce(readout, "aria-label", `${name}, as a number`);
     }
-    const buttons = control.querySelector(".widget-toggle-buttons > div, .widget-inline-hbox > div");
     if (control.classList.contains("widget-toggle-buttons")) {
       setOnce(control, "role", "group");
       setOnce(control, "aria-label", name);

@@ -6,10 +6,9 @@ const SVG = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT] = [320, 300];
 const CAMERA = [WIDTH / 2, HEIGHT - 24];
 
-function add(parent, tag, attributes, text = "") {
+function add(parent, tag, attributes) {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.textContent = text;
   parent.append(element);
   return element;
 }
@@ -18,6 +17,7 @@ function add(parent, tag, attributes, text = "") {
 export function makeTopView(parent) {
   const figure = make("div", "explorer-top", parent);
   const svg = add(figure, "svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img" });
+  make("p", "explorer-small", figure).textContent = "from above";
   return svg;
 }
 
@@ -43,7 +43,6 @@ export function drawTopView(svg, fovX, landmarks) {
     add(svg, "circle", { cx: x, cy: y, r: 6, fill: one.color, class: kind });
   }
   add(svg, "path", { d: `M${CAMERA} l-9 20 h18 Z`, class: "explorer-eye" });
-  add(svg, "text", { x: 8, y: HEIGHT - 8 }, "from above");
   svg.setAttribute("aria-label", `From above: ${inside.length} of ${landmarks.length} objects lie between the rays`);
   return inside.sort((a, b) => a.x / a.z - b.x / b.z).map(({ name }) => name);
 }

@@ -1,0 +1,43 @@
+"""Keep a picture beside every explorer, for print and for readers without scripts.
+
+An explorer gives its poster as PNG next to the widget. Of the two, myst-nb shows the widget only;
+here the picture stays too. ``explorers.css`` hides it where the explorer itself is drawn.
+"""
+
+from typing import Any, ClassVar
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.transforms.post_transforms import SphinxPostTransform
+
+WIDGET = "application/vnd.jupyter.widget-view+json"
+PICTURE = "image/png"
+POSTER_CLASS = "explorer-poster"
+
+
+class KeepPosters(SphinxPostTransform):
+    """Copy the picture of a widget behind it."""
+
+    default_priority = 3  # before myst-nb keeps the best form of each output, at 4
+    formats: ClassVar[tuple[str, ...]] = ("html",)
+
+    def run(self, **_options: Any) -> None:
+        """Look at every output that comes in both forms."""
+        for bundle in list(self.document.findall(_is_output)):
+            forms = {form["mime_type"]: form for form in bundle.children}
+            if WIDGET not in forms or PICTURE not in forms:
+                continue
+            copies = [child.deepcopy() for child in forms[PICTURE].children]
+            for picture in (one for child in copies for one in child.findall(nodes.image)):
+                picture["classes"].append(POSTER_CLASS)
+            bundle.parent.insert(bundle.parent.index(bundle) + 1, copies)
+
+
+def _is_output(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.container) and node.get("nb_element") == "mime_bundle"
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Connect the hook to Sphinx."""
+    app.add_post_transform(KeepPosters)
+    return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,47 @@
+"""Every explorer leaves a picture for print and for readers without scripts."""
+
+from __future__ import annotations
+
+import importlib.util
+from types import SimpleNamespace
+
+from docutils import nodes
+from docutils.utils import new_document
+
+from tests.helpers.chapters import ROOT
+
+
+def load_hook():
+    spec = importlib.util.spec_from_file_location("posters", ROOT / "book" / "_ext" / "posters.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+HOOK = load_hook()
+
+
+def keep_posters(*mime_types):
+    """Run the hook on one output with these forms; return what follows the output."""
+    document = new_document("page")
+    bundle = nodes.container(nb_element="mime_bundle")
+    for one in mime_types:
+        child = nodes.image(uri="poster.png") if one == HOOK.PICTURE else nodes.raw("", "<script>")
+        bundle += nodes.container("", child, mime_type=one)
+    document += bundle
+    document += nodes.paragraph("", "after")
+    document.settings.env = SimpleNamespace()
+    HOOK.KeepPosters(document).run()
+    assert document[0] is bundle
+    return document[1:-1]
+
+
+def test_the_picture_of_a_widget_follows_it():
+    (poster,) = keep_posters(HOOK.WIDGET, HOOK.PICTURE)
+    assert poster["uri"] == "poster.png"
+    assert poster["classes"] == [HOOK.POSTER_CLASS]
+
+
+def test_other_outputs_stay_as_they_are():
+    assert keep_posters(HOOK.PICTURE) == []
+    assert keep_posters(HOOK.WIDGET) == []

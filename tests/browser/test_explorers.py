@@ -1,0 +1,156 @@
+"""Every explorer on every page says what labutils computes, wherever its controls stand."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from math import inf
+
+import pytest
+
+from labutils import explorers
+from labutils.explorers._base import View
+from tests.helpers.chapters import ROOT, find_widgets, get_toc_pages
+
+STATE = r'<script type="application/vnd\.jupyter\.widget-state\+json">(.*?)</script>'
+
+#: JavaScript and NumPy round the same formulas in another order.
+RTOL = 1e-6
+ATOL = 1e-9
+
+
+def find_pages_with_explorers() -> list[str]:
+    return [
+        page.as_posix()
+        for page in get_toc_pages()
+        if "from labutils.explorers import" in (ROOT / page).with_suffix(".md").read_text("utf-8")
+    ]
+
+
+PAGES = find_pages_with_explorers()
+
+
+@pytest.fixture(scope="module", params=["file", "http"])
+def protocol(request):
+    return request.param
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def page(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def used(protocol, page, request, chromium, once):
+    """What the explorers of a page said while they were used."""
+    site = request.getfixturevalue(f"{protocol}_site")
+    name = f"explorers-{protocol}-{page.replace('/', '-')}"
+    return once(name, lambda: chromium("explorers.mjs", site, page))
+
+
+def read_views(html: str) -> list[View]:
+    """Make the views of a page again, from what the page holds of them, in the page's order."""
+    models = json.loads(re.search(STATE, html, re.DOTALL)[1])["state"]
+    classes = {f"{one.__module__}.{one.__qualname__}": one for one in get_view_classes()}
+    shown = re.findall(r'"model_id": "(\w+)"', html)
+    boxes = [models[one]["state"] for one in shown if "children" in models[one]["state"]]
+    first = [models[box["children"][0].removeprefix("IPY_MODEL_")] for box in boxes]
+    return [make_view(classes[model["state"]["_anywidget_id"]], model) for model in first]
+
+
+def get_view_classes() -> list[type[View]]:
+    return View.__subclasses__()
+
+
+def make_view(view_class: type[View], model: dict) -> View:
+    traits = {
+        name: value
+        for name, value in model["state"].items()
+        if name in view_class.class_trait_names(sync=True) and not name.startswith("_")
+    }
+    traits.pop("layout", None)
+    for buffer in model.get("buffers", []):
+        (name,) = buffer["path"]
+        traits[name] = base64.b64decode(buffer["data"])
+    start = traits.pop("start")
+    view = view_class(**{k: v for k, v in traits.items() if k not in ("tabbable", "tooltip")})
+    assert view.start == start
+    return view
+
+
+def agree(expected, found) -> bool:
+    """Compare values from Python with values that came as JSON."""
+    if isinstance(expected, dict):
+        return expected.keys() == found.keys() and all(agree(expected[k], found[k]) for k in found)
+    if isinstance(expected, list | tuple):
+        return len(expected) == len(found) and all(map(agree, expected, found))
+    if isinstance(expected, float) and isinstance(found, int | float):
+        if abs(expected) == inf:
+            return expected == found
+        return found == pytest.approx(expected, rel=RTOL, abs=ATOL)
+    return type(expected) is type(found) and expected == found
+
+
+def test_every_control_changes_the_readout_to_what_labutils_computes(page, used, student_pages):
+    views = read_views((student_pages / f"{page}.html").read_text(encoding="utf-8"))
+    assert len(views) == len(used["explorers"]) > 0
+    for view, explorer in zip(views, used["explorers"], strict=True):
+        for said in (explorer["first"], *explorer["moves"], explorer["reset"]):
+            for name, value in said["parameters"].items():
+                setattr(view, name, value)
+            expected = json.loads(json.dumps(view.compute()))
+            assert agree(expected, said["values"]), (said, expected)
+
+
+def test_every_control_moves_its_value(used):
+    for explorer in used["explorers"]:
+        controls = {move["control"] for move in explorer["moves"]}
+        assert controls, "an explorer without a control"
+        for control in controls:
+            moves = [move for move in explorer["moves"] if move["control"] == control]
+            for move in moves:
+                if "shown" in move:
+                    flat = [v for one in move["parameters"].values() for v in flatten(one)]
+                    # the handle rounds what it shows to the digits of its read-out
+                    assert any(abs(v - move["shown"]) < 0.006 for v in flat), move
+                assert move.get("pressed", "true") == "true", move
+            if moves[0]["step"] == "min":
+                seen = [json.dumps(move["parameters"], sort_keys=True) for move in moves]
+                assert len(set(seen)) == 3, (control, seen)
+
+
+def flatten(value):
+    return value if isinstance(value, list) else [value]
+
+
+def test_reset_brings_the_first_values_back(used):
+    for explorer in used["explorers"]:
+        # not equal: a slider keeps percents, and turns 45 into 45.00000000000001
+        assert agree(explorer["first"], explorer["reset"])
+        assert any(
+            move["parameters"] != explorer["first"]["parameters"] for move in explorer["moves"]
+        )
+
+
+def test_a_screen_reader_hears_the_result_and_every_name(used):
+    for explorer in used["explorers"]:
+        assert explorer["spoken"] == explorer["readout"] != ""
+        assert explorer["unnamed"] == 0
+
+
+def test_on_paper_and_without_scripts_a_poster_stands_in(used):
+    count = len(used["explorers"])
+    assert used["printed"] == {"posters": count, "explorers": 0}
+    assert used["withoutScripts"] == {"posters": count, "explorers": 0}
+
+
+def test_using_explorers_asks_no_other_host_and_raises_no_error(used):
+    assert used["complaints"] == []
+
+
+def test_every_explorer_is_used_on_some_page():
+    text = "".join((ROOT / page).with_suffix(".md").read_text("utf-8") for page in PAGES)
+    for name in find_widgets():
+        assert f"explore_{name}(" in text
+        assert f"explore_{name}" in explorers.__all__
