@@ -8,7 +8,7 @@ import pytest
 from labutils import metric_to_raw, process_depth
 from labutils.explorers import explore_depth_convention
 from labutils.explorers.depth_convention import _find_float_levels, _find_integer_levels
-from tests.helpers.views import call_module
+from tests.helpers.node import evaluate
 
 #: Both sides compute in double precision with the same formulas in the same order.
 SAME = 1e-12
@@ -98,8 +98,7 @@ def test_the_page_computes_the_same():
     cases = make_cases()
     nears = explore_depth_convention().view.nears
     given = [(raw, nears[place], far) for raw, place, far in cases]
-    body = "return given.map((one) => m.readRaw(...one));"
-    found = call_module("depth_convention", body, given)
+    found = evaluate("depth_convention", "given.map((one) => m.readRaw(...one))", given=given)
     for case, values in zip(cases, found, strict=True):
         expected = compute(*case).values
         assert values.keys() == expected.keys()
@@ -110,9 +109,9 @@ def test_the_page_computes_the_same():
 
 def test_the_page_inverts_process_depth():
     z = np.geomspace(0.02, 12, 200).tolist()
-    body = "return given.map((z) => m.processDepth(m.metricToRaw(z, 0.02, 12), 0.02, 12));"
+    back = "z.map((z) => m.processDepth(m.metricToRaw(z, 0.02, 12), 0.02, 12))"
     # near raw = 1 one rounding of the raw value is worth z / near roundings of the depth
-    np.testing.assert_allclose(call_module("_depth", body, z), z, rtol=1e-12)
+    np.testing.assert_allclose(evaluate("_depth", back, z=z), z, rtol=1e-12)
 
 
 def test_starts_where_it_is_told_and_says_it():

@@ -18,8 +18,8 @@ from labutils.explorers import _depth_picture as picture
 from labutils.explorers import explore_depth_range
 from labutils.explorers._base import DEPTH_STEP
 from labutils.explorers.depth_range import BINS
+from tests.helpers.node import evaluate
 from tests.helpers.tolerances import EXACT
-from tests.helpers.views import call_module
 
 CLIP = (0.02, 12.0)
 
@@ -155,10 +155,10 @@ def test_the_page_paints_and_counts_the_same(awkward, limits, color_map):
         "upper": explorer.view.upper_m,
         "from": 768 * color_map,
     }
-    found = call_module(
+    found = evaluate(
         "_depth_picture",
-        """
-        const { decodePng } = await import(STATIC + "/_png.js");
+        """await (async () => {
+        const { decodePng } = await load("_png");
         const { data, width } = await decodePng(new Uint8Array(given.png));
         const [range, step] = [given.range, given.step];
         const toSteps = (two) => two.map((one) => m.toStep(one, step));
@@ -174,8 +174,8 @@ def test_the_page_paints_and_counts_the_same(awkward, limits, color_map):
           metric: m.binMetric(counts, 50, given.upper, step, valid),
           raw: m.binRaw(counts, 50, step, valid, given.clip),
         };
-        """,
-        given,
+        })()""",
+        given=given,
     )
     assert found["steps"] == steps.ravel().tolist()
     rgba = np.array(found["rgba"], np.uint8).reshape(*steps.shape, 4)
@@ -191,10 +191,7 @@ def test_the_page_paints_and_counts_the_same(awkward, limits, color_map):
 
 def test_the_page_converts_as_labutils_does():
     z = np.linspace(0.001, 14, 400)
-    given = {"z": z.tolist(), "clip": CLIP}
-    raw = call_module(
-        "_depth", "return given.z.map((z) => m.metricToRaw(z, ...given.clip));", given
-    )
+    raw = evaluate("_depth", "z.map((z) => m.metricToRaw(z, ...clip))", z=z.tolist(), clip=CLIP)
     np.testing.assert_allclose(raw, metric_to_raw(z, *CLIP), rtol=EXACT)
 
 

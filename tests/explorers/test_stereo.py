@@ -21,7 +21,7 @@ from labutils import (
 from labutils.explorers import explore_stereo
 from labutils.explorers._base import DEPTH_STEP, decode_depth, decode_rgb
 from labutils.explorers.stereo import HIDDEN, OUTSIDE, SEEN
-from tests.helpers.views import call_module
+from tests.helpers.node import evaluate
 
 BASELINE = 0.064  # of the scene's eyes
 #: Both sides compute in double precision, in another order here and there.
@@ -143,12 +143,8 @@ def test_twice_the_baseline_halves_the_error_and_twice_the_depth_makes_it_four_t
     first = explorer.values["error_linear_mm"]
     explorer.move(baseline_mm=100.0)
     assert explorer.values["error_linear_mm"] == pytest.approx(first / 2)
-    given = [579.4, 0.064, 0.5]
-    one, two = call_module(
-        "_stereo",
-        "return [1, 2].map((z) => m.findLinearError(z, given[2], given[0], given[1]));",
-        given,
-    )
+    errors = "[1, 2].map((z) => m.findLinearError(z, 0.5, 579.4, 0.064))"
+    one, two = evaluate("_stereo", errors)
     assert two == pytest.approx(4 * one)
 
 
@@ -179,7 +175,7 @@ def test_the_page_computes_the_same(eyes, explorer):
         explorer.move(pixel=[u, v], baseline_mm=baseline_mm, error_px=error)
         expected.append(explorer.values)
         given.append([u, rows[v].tolist(), eyes.K[0, 0], baseline_mm / 1000, error])
-    found = call_module("stereo", "return given.map((one) => m.describePair(...one));", given)
+    found = evaluate("stereo", "given.map((one) => m.describePair(...one))", given=given)
     assert any(one["z_far"] is None for one in expected[:-1])
     assert {one["right"] for one in expected} == {None, OUTSIDE, SEEN, HIDDEN}
     for ours, theirs in zip(expected, found, strict=True):
@@ -193,7 +189,7 @@ def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(eyes, explorer):
     values = explorer.values
     u, _ = explorer.pixel
     given = [[u, values["u_right"]], eyes.K.tolist(), 0.04, 1.5, 10]
-    shapes = call_module("_rays", "return m.findShapes(...given);", given)
+    shapes = evaluate("_rays", "m.findShapes(...given)", given=given)
     near, side, tip, other_side = np.array(shapes["diamond"])
     assert near[1] == pytest.approx(values["z_near"])
     assert tip[1] == pytest.approx(values["z_far"])
@@ -208,7 +204,7 @@ def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(eyes, explorer):
 
 def test_a_diamond_without_far_end_is_open(eyes):
     given = [[100, 98], eyes.K.tolist(), 0.02, 3.0, 10]
-    diamond = call_module("_rays", "return m.findShapes(...given).diamond;", given)
+    diamond = evaluate("_rays", "m.findShapes(...given).diamond", given=given)
     assert len(diamond) == 5
     assert [corner[1] for corner in diamond].count(10) == 2
 
