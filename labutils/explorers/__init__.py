@@ -7,7 +7,23 @@ runs. ``ipywidgets`` make the controls, one ``anywidget`` view draws.
 from __future__ import annotations
 
 from labutils.explorers.cloud import CloudExplorer, explore_cloud
+from labutils.explorers.depth_convention import DepthConventionExplorer, explore_depth_convention
+from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
 from labutils.explorers.hsv import HsvExplorer, explore_hsv
+from labutils.explorers.stereo import StereoExplorer, explore_stereo
 
-__all__ = ["CloudExplorer", "FovExplorer", "HsvExplorer", "explore_cloud", "explore_fov", "explore_hsv"]
+__all__ = [
+    "CloudExplorer",
+    "DepthConventionExplorer",
+    "DepthRangeExplorer",
+    "FovExplorer",
+    "HsvExplorer",
+    "StereoExplorer",
+    "explore_cloud",
+    "explore_depth_convention",
+    "explore_depth_range",
+    "explore_fov",
+    "explore_hsv",
+    "explore_stereo",
+]

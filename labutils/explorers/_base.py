@@ -16,7 +16,6 @@ import numpy as np
 import traitlets
 
 from labutils._guards import check_depth_image, check_rgb_image
-from labutils.explorers._modules import STATIC
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -25,13 +24,10 @@ if TYPE_CHECKING:
 DEPTH_STEP = 0.0002
 _MAX_STEPS = 65535
 
-STYLE = (STATIC / "explorer.css").read_text(encoding="utf-8")
-
 
 class View(anywidget.AnyWidget):
     """The part of an explorer that draws."""
 
-    _css = STYLE
     #: What a screen reader calls the explorer.
     label = traitlets.Unicode().tag(sync=True)
     #: One line below the picture that says what to do.

@@ -1,4 +1,4 @@
-"""Join the ES modules of a view into the one text that anywidget takes.
+"""Join the ES modules of a view, and its style sheets, into the one text that anywidget takes.
 
 A view and what it imports are ordinary ES modules, so that Node can test each by itself. The page
 gets them as one text: a module cannot import its neighbor from a text, nor from a file opened
@@ -52,6 +52,11 @@ def join_modules(name: str) -> str:
 
     visit(name)
     return "\n".join(_strip(module) for module in order)
+
+
+def join_styles(*names: str) -> str:
+    """Return the style sheet of all explorers, and those of the parts a view shows."""
+    return "\n".join((STATIC / f"{one}.css").read_text("utf-8") for one in ("explorer", *names))
 
 
 def _read(name: str) -> str:

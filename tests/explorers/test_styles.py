@@ -1,0 +1,26 @@
+"""Every view brings the style of everything it draws, and no two views fight over a name."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from labutils.explorers._base import View
+from tests.helpers.node import STATIC
+
+CLASS = re.compile(r"explorer-[a-z][a-z-]*")
+SHEETS = {path.stem: path.read_text("utf-8") for path in STATIC.glob("*.css")}
+
+
+@pytest.mark.parametrize("view", View.__subclasses__(), ids=lambda view: view.__name__)
+def test_a_view_is_styled_where_another_view_styles_the_same_part(view):
+    used = set(CLASS.findall(view._esm))
+    brought = set(CLASS.findall(view._css))
+    elsewhere = set(CLASS.findall("".join(SHEETS.values())))
+    assert used & elsewhere <= brought
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_sheets_stay_small(name):
+    assert len(SHEETS[name].splitlines()) <= 300
