@@ -17,8 +17,11 @@ from labutils.explorers._base import DEPTH_STEP, decode_depth
 #: Which kind of pixel it is.
 NEARER, INSIDE, FARTHER, NO_SURFACE = range(4)
 
-#: Name and OpenCV's code; gray needs none.
+#: Name and OpenCV's code; gray has none.
 COLOR_MAPS = {"turbo": cv2.COLORMAP_TURBO, "viridis": cv2.COLORMAP_VIRIDIS, "gray": None}
+
+# the darkest gray of a surface: black stays for what is none
+_DARKEST = 48
 
 # two colors each, RGB: stripes are in no color map
 _STRIPES = {
@@ -73,12 +76,13 @@ def find_kinds(steps: np.ndarray, limits: Limits) -> np.ndarray:
 
 
 def make_color_tables() -> bytes:
-    """Join the 256 RGB colors of every map in `COLOR_MAPS`, as OpenCV has them."""
-    gray = np.arange(256, dtype=np.uint8)[:, None]
+    """Join the 256 RGB colors of every map in `COLOR_MAPS`: OpenCV's, and a ramp of grays."""
+    places = np.arange(256, dtype=np.uint8)[:, None]
+    grays = np.linspace(_DARKEST, 255, 256).round().astype(np.uint8)[:, None]
     tables = [
-        np.repeat(gray, 3, axis=1)
+        np.repeat(grays, 3, axis=1)
         if code is None
-        else cv2.applyColorMap(gray, code)[:, 0, ::-1]  # BGR to RGB
+        else cv2.applyColorMap(places, code)[:, 0, ::-1]  # BGR to RGB
         for code in COLOR_MAPS.values()
     ]
     return np.ascontiguousarray(tables).tobytes()

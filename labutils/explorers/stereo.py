@@ -29,7 +29,7 @@ from labutils.explorers._modules import join_modules, join_styles
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_BASELINES_MM = (20.0, 300.0)
+_BASELINES_MM = (10.0, 300.0)
 _ERRORS_PX = (0.1, 3.0)
 
 #: What becomes of the point in the right eye's picture.
@@ -173,7 +173,7 @@ def explore_stereo(
     K : array-like, shape (3, 3)
         Intrinsics of both eyes.
     baseline : float
-        Shown first, in meters: 0.02 to 0.3; the slider moves in steps of 1 mm.
+        Shown first, in meters: 0.01 to 0.3; the slider moves in steps of 1 mm.
     match_error : float
         How far a match may be off, in pixels: 0.1 to 3; the slider moves in steps of 0.1.
     pixel : (u, v), optional

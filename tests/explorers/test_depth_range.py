@@ -131,12 +131,30 @@ def test_colors_are_those_of_visualize_depth(awkward):
     assert not ours[kinds == picture.NO_SURFACE].any()
 
 
+def read_tables():
+    return np.frombuffer(picture.make_color_tables(), np.uint8).reshape(-1, 256, 3)
+
+
 def test_color_tables_are_those_of_opencv():
-    tables = np.frombuffer(picture.make_color_tables(), np.uint8).reshape(-1, 256, 3)
+    turbo, viridis, gray = read_tables()
     ramp = np.arange(256, dtype=np.uint8)[None]
-    for table, code in zip(tables, picture.COLOR_MAPS.values(), strict=True):
-        bgr = np.dstack([ramp] * 3) if code is None else cv2.applyColorMap(ramp, code)
-        np.testing.assert_array_equal(table, bgr[0, :, ::-1])
+    for table, code in ((turbo, cv2.COLORMAP_TURBO), (viridis, cv2.COLORMAP_VIRIDIS)):
+        np.testing.assert_array_equal(table, cv2.applyColorMap(ramp, code)[0, :, ::-1])
+    assert (gray == gray[:, :1]).all()
+    assert (np.diff(gray[:, 0].astype(int)) >= 0).all()
+    assert gray[-1, 0] == 255
+
+
+def test_no_color_map_holds_black_or_the_colors_of_the_stripes():
+    """What is no surface, too near or too far cannot be taken for a distance."""
+    assert read_tables().max(axis=2).min() > 40
+    steps = picture.to_step(1.0) + np.zeros((16, 16), int)
+    nearer = picture.paint_depth(steps, 2.0, 3.0, 0)
+    farther = picture.paint_depth(steps, 0.2, 0.5, 0)
+    for stripes in (nearer, farther):
+        assert len(np.unique(stripes.reshape(-1, 3), axis=0)) == 2
+        np.testing.assert_array_equal(stripes[8:, :8], stripes[:8, 8:])
+    assert (nearer != farther).any(axis=2).all()
 
 
 @pytest.mark.parametrize("limits", [(0.0, 5.0), (0.5, 2.5), (1.0, 1.0)])
@@ -202,7 +220,7 @@ def test_the_poster_shows_the_picture_over_its_color_bar(explorer, depth):
     assert poster.shape[1:] == (depth.shape[1], 3)
     shown = poster[: depth.shape[0]]
     np.testing.assert_array_equal(shown, picture.paint_depth(steps, 0.8, 1.9, 0))
-    table = np.frombuffer(picture.make_color_tables(), np.uint8).reshape(-1, 256, 3)[0]
+    table = read_tables()[0]
     np.testing.assert_array_equal(poster[depth.shape[0] + 5, [0, -1]], table[[0, 255]])
     assert "0.80 to 1.90 m" in repr(explorer)
 

@@ -242,7 +242,7 @@ def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(explorer, ey
         ({"depth_metric": np.zeros((240, 320))}, ValueError, "expected a surface between"),
         ({"rgb_image": np.zeros((240, 320))}, TypeError, "rgb_image: expected a uint8 image"),
         ({"K": np.eye(2)}, ValueError, "K: expected a 3x3 matrix"),
-        ({"baseline": 0.01}, ValueError, "baseline: expected 0.02 to 0.3, got 0.01"),
+        ({"baseline": 0.005}, ValueError, "baseline: expected 0.01 to 0.3, got 0.005"),
         ({"baseline": True}, TypeError, "baseline: expected a number, got bool"),
         ({"match_error": 4}, ValueError, "match_error: expected 0.1 to 3, got 4"),
         ({"match_error": "1"}, TypeError, "match_error: expected a number, got str"),
