@@ -10,6 +10,7 @@ await main(async (browser, site, name, picturePath) => {
   const { page, complaints } = await openPage(browser, site, name);
   await page.waitForSelector(".explorer[data-state=ready]");
   const first = await read(page);
+  const drawn = await show(page, first.values.centroid);
   const ring = await turnRing(page);
   await page.getByRole("button", { name: "Reset" }).click();
   const own = await givePictures(page, readFileSync(picturePath));
@@ -18,7 +19,7 @@ await main(async (browser, site, name, picturePath) => {
   const picked = await read(page);
   await press(page, "Back to scene");
   const last = await read(page);
-  return { first, ring, own, camera, picked, last, complaints: [...complaints] };
+  return { first, drawn, ring, own, camera, picked, last, complaints: [...complaints] };
 });
 
 /** What the explorer says and shows, once it is drawn. */
@@ -46,6 +47,25 @@ async function read(page) {
 
 function press(page, name) {
   return page.getByRole("button", { name }).press("Enter");
+}
+
+/** Colors of a pixel inside, one outside, the last one and the centroid, for each way to show. */
+async function show(page, centroid) {
+  const seen = [];
+  for (const shown of [0, 1, 2]) {
+    await page.evaluate((value) => window.model.set("shown", value), shown);
+    await read(page);
+    seen.push(
+      await page.evaluate(
+        (places) => {
+          const context = document.querySelector("canvas").getContext("2d");
+          return places.map(([x, y]) => [...context.getImageData(x, y, 1, 1).data]);
+        },
+        [[32, 22], [5, 5], [159, 119], centroid],
+      ),
+    );
+  }
+  return seen;
 }
 
 async function turnRing(page) {

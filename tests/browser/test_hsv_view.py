@@ -37,6 +37,7 @@ const model = {
 const text = document.querySelector("#view").textContent;
 const module = new Blob([text], { type: "text/javascript" });
 const view = (await import(URL.createObjectURL(module))).default;
+window.model = model;
 await view.render({ model, el: document.querySelector("main") });
 </script></html>"""
 
@@ -75,6 +76,16 @@ def used(scene, own, chromium, tmp_path_factory) -> dict[str, Any]:
 
 def test_the_view_alone_tells_what_labutils_computes(used, scene):
     assert used["first"]["values"] == explore_hsv(scene, RED).values
+
+
+def test_overlay_mask_and_picture_show_what_is_selected_and_a_cross(used):
+    red, gray, dim = [200, 20, 30, 255], [90, 90, 90, 255], [36, 36, 36, 255]
+    white, black = [255] * 4, [0, 0, 0, 255]
+    assert used["drawn"] == [
+        [red, dim, dim, white],
+        [white, black, black, white],
+        [red, gray, gray, white],
+    ]
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import { openWebcam } from "./_webcam.js";
 
 /**
  * Add the buttons below the frame. `show` gets a picture, at most of `size`, or null for the scene's;
- * `place` is where pictures are dropped, and where the camera shows what it sees.
+ * `place` is where the camera shows what it sees.
  */
 export function acceptPictures({ frame, place, size, show }) {
   const bar = make("div", "explorer-own", frame.root);
@@ -51,13 +51,12 @@ export function acceptPictures({ frame, place, size, show }) {
   const read = async (file) => {
     webcam.stop();
     const mine = ++latest;
-    try {
-      const bitmap = await createImageBitmap(file);
-      if (mine === latest) accept(bitmap);
-      bitmap.close();
-    } catch {
-      if (mine === latest) say(`${file.name || "This"} cannot be read as a picture.`);
+    const bitmap = await createImageBitmap(file).catch(() => null);
+    if (mine === latest) {
+      if (bitmap) accept(bitmap);
+      else say(`${file.name || "This"} cannot be read as a picture.`);
     }
+    bitmap?.close();
   };
   const webcam = openWebcam(place, {
     say,
@@ -86,7 +85,7 @@ export function acceptPictures({ frame, place, size, show }) {
     event.preventDefault();
     read(file);
   });
-  dropOn(place, read);
+  dropOn(frame.root, place, read);
   frame.cleanups.push(() => {
     latest++;
     webcam.stop();
@@ -97,22 +96,23 @@ function findPicture(transfer) {
   return [...(transfer?.files ?? [])].find((file) => file.type.startsWith("image/"));
 }
 
-function dropOn(place, read) {
+/** Read a file dropped anywhere on `target`: beside it the browser would open the file instead. */
+function dropOn(target, place, read) {
   const light = (on) => place.classList.toggle("dropping", on);
-  place.addEventListener("dragover", (event) => {
-    if (![...event.dataTransfer.types].includes("Files")) return;
+  target.addEventListener("dragover", (event) => {
+    if (!event.dataTransfer.types.includes("Files")) return;
     event.preventDefault();
     event.dataTransfer.dropEffect = "copy";
     light(true);
   });
-  place.addEventListener("dragleave", (event) => {
-    if (!place.contains(event.relatedTarget)) light(false);
+  target.addEventListener("dragleave", (event) => {
+    if (!target.contains(event.relatedTarget)) light(false);
   });
-  place.addEventListener("drop", (event) => {
+  target.addEventListener("drop", (event) => {
     light(false);
     const file = findPicture(event.dataTransfer) ?? event.dataTransfer.files[0];
     if (!file) return;
-    event.preventDefault(); // else the browser would leave the page and open the file
+    event.preventDefault();
     event.stopPropagation();
     read(file);
   });
