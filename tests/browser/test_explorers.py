@@ -117,7 +117,9 @@ def test_every_control_moves_its_value(used):
                 assert move.get("pressed", "true") == "true", move
             if moves[0]["step"] == "min":
                 seen = [json.dumps(move["parameters"], sort_keys=True) for move in moves]
-                assert len(set(seen)) == 3, (control, seen)
+                # one handle of a range ends where the other stands, which may be the middle
+                steps = 2 if control.endswith((", low", ", high")) else 3
+                assert len(set(seen)) >= steps, (control, seen)
 
 
 def flatten(value):
