@@ -4,6 +4,7 @@
 import { close, main, newPage, openPage } from "./_browser.mjs";
 
 const SPEAK_MS = 1500; // longer than an explorer waits before it speaks
+const CHANGE_MS = 800;
 const LONGEST = 5000;
 
 await main(async (browser, site, name) => {
@@ -40,7 +41,11 @@ async function use(page, box) {
   await box.locator('.explorer[data-state="ready"]').waitFor({ timeout: LONGEST });
   const first = await read(page, root);
   const moves = [];
-  const note = async (control, step) => moves.push({ control, step, ...(await read(page, root)) });
+  let last = first;
+  const note = async (control, step) => {
+    last = await read(page, root, last);
+    moves.push({ control, step, ...last });
+  };
 
   for (const handle of await box.locator(".noUi-handle").all()) {
     const label = await handle.getAttribute("aria-label");
@@ -71,7 +76,7 @@ async function use(page, box) {
   const spoken = await root.locator(".explorer-spoken").textContent();
   const readout = await root.locator(".explorer-readout").textContent();
   await root.getByRole("button", { name: "Reset", exact: true }).press("Enter");
-  const reset = await read(page, root);
+  const reset = await read(page, root, last);
   const unnamed = await box.locator("[role=slider]:not([aria-label]), button:empty").count();
   return { name, first, moves, spoken, readout, reset, unnamed };
 }
@@ -83,17 +88,23 @@ async function press(page, element, ...keys) {
 
 /** Drags a handle to the middle of its slider. */
 async function drag(page, handle) {
+  await handle.hover(); // waits until the handle stands still
   const box = await handle.boundingBox();
   const slider = await handle.locator("xpath=ancestor::*[@class and contains(@class,'noUi-base')]");
   const middle = await slider.boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(middle.x + middle.width / 2, box.y + box.height / 2, { steps: 3 });
   await page.mouse.up();
 }
 
 /** What the explorer says, once it has drawn what was last asked of it. */
-async function read(page, root) {
+async function read(page, root, before = {}) {
+  // a pointer is heard with the next frame, which may be late; not every move changes something
+  const hasMoved = ([one, old]) => one.dataset.parameters !== old;
+  const old = JSON.stringify(before.parameters);
+  await page
+    .waitForFunction(hasMoved, [await root.elementHandle(), old], { timeout: CHANGE_MS })
+    .catch(() => {});
   await page.evaluate(
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );
