@@ -5,6 +5,7 @@ import { close, main, newPage, openPage, settle } from "./_browser.mjs";
 
 const PAGE = "book/step2_intrinsics";
 const PAGE_WITH_FOLDS = "book/conventions";
+const STORE_MS = 1000; // Chromium writes down a choice a moment later; no reader reloads sooner
 const WORD = "disparity"; // in the text of few pages, so that not every page is a result
 
 await main(async (browser, site) => ({
@@ -30,6 +31,7 @@ async function switchTheme(browser, site) {
     seen.push((await look()).theme);
   }
   const after = await look();
+  await page.waitForTimeout(STORE_MS);
   await page.reload();
   const reloaded = await look();
   await page.goto(new URL("book/glossary.html", site).href);
