@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import cv2
 import matplotlib as mpl
+import numpy as np
 from cycler import cycler
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from contextlib import AbstractContextManager
 
-    import numpy as np
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
 
 #: Okabe-Ito: eight colors that stay apart for every kind of color vision.
 CATEGORY_COLORS = (
@@ -32,6 +35,7 @@ CATEGORY_COLORS = (
 _INK = "#767b85"
 
 WIDTHS = {"full": 7.2, "half": 3.6}  # inches; the text column is 7.2 inches at 100 px per inch
+_LABEL_GAP_PT = 13.0  # between the middles of two labels, one above the other
 _DPI = 200  # two device pixels per page pixel
 
 _STYLE: dict[str, Any] = {
@@ -46,8 +50,8 @@ _STYLE: dict[str, Any] = {
     "ytick.color": _INK,
     "axes.spines.top": False,
     "axes.spines.right": False,
-    "axes.titlesize": 10,
-    "font.size": 9,
+    "axes.titlesize": 12,
+    "font.size": 11,  # on a phone a figure is half as wide
     "axes.prop_cycle": cycler(color=CATEGORY_COLORS),
     "image.interpolation": "nearest",
     "legend.frameon": False,
@@ -110,3 +114,53 @@ def make_axes(columns: int, width: str, height: float, **options: Any) -> tuple[
     figure = Figure(figsize=(WIDTHS[width], height), layout="constrained")
     axes = list(figure.subplots(1, columns, squeeze=False, **options)[0])
     return figure, axes
+
+
+def label_ends(ax: Axes, lines: Mapping[str, Line2D]) -> None:
+    """Write the name of each line beside its last point, in its color.
+
+    Parameters
+    ----------
+    ax : Axes
+        With its limits and scales set: where labels would overlap depends on them.
+    lines : mapping of str to Line2D
+        Name to line.
+    """
+    ends = []
+    for line in lines.values():
+        x, y = (np.asarray(values) for values in line.get_data())
+        last = np.flatnonzero(np.isfinite(y))[-1]
+        ends.append((x[last], y[last]))
+    heights_pt = ax.transData.transform(np.array(ends))[:, 1] * 72 / ax.figure.get_dpi()
+    shifts_pt = spread_labels(heights_pt, _LABEL_GAP_PT) - heights_pt
+    for (name, line), end, shift_pt in zip(lines.items(), ends, shifts_pt, strict=True):
+        ax.annotate(
+            name,
+            end,
+            xytext=(6, shift_pt),
+            textcoords="offset points",
+            va="center",
+            color=line.get_color(),
+        )
+
+
+def spread_labels(heights: np.ndarray, gap: float) -> np.ndarray:
+    """Move labels apart, as little as it takes to keep their order and a gap.
+
+    Parameters
+    ----------
+    heights : ndarray, shape (N,)
+        Where the labels would stand.
+    gap : float
+        Least distance between two, in the same unit.
+
+    Returns
+    -------
+    ndarray, shape (N,)
+        Where they may stand; the middle of all of them stays.
+    """
+    order = np.argsort(heights, kind="stable")
+    steps = gap * np.arange(len(heights))
+    spread = np.empty(len(heights))
+    spread[order] = np.maximum.accumulate(heights[order] - steps) + steps
+    return spread + heights.mean() - spread.mean()

@@ -12,7 +12,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from labutils._guards import check_columns, check_depth_image
-from labutils._picture import CATEGORY_COLORS, WIDTHS, Picture, make_axes, use_style
+from labutils._picture import (
+    CATEGORY_COLORS,
+    WIDTHS,
+    Picture,
+    label_ends,
+    make_axes,
+    use_style,
+)
 from labutils._splat import (
     get_depth_colors,
     get_view_point,
@@ -60,7 +67,7 @@ def plot_images(
     first = next(iter(images.values()))
     cell = WIDTHS[width] / columns
     with use_style():
-        height = rows * (cell * first.shape[0] / first.shape[1] + 0.3)
+        height = rows * (cell * first.shape[0] / first.shape[1] + 0.36)
         figure = Figure(figsize=(WIDTHS[width], height), layout="constrained")
         axes = figure.subplots(rows, columns, squeeze=False).ravel()
         for ax in axes:
@@ -103,7 +110,7 @@ def plot_depth(
     low, high = limits or (np.nanmin(shown), np.nanmax(shown))
     with use_style():
         aspect = depth.shape[0] / depth.shape[1]
-        figure, (ax,) = make_axes(1, width, WIDTHS[width] * 0.87 * aspect + 0.3)
+        figure, (ax,) = make_axes(1, width, WIDTHS[width] * 0.87 * aspect + 0.36)
         image = ax.imshow(shown, cmap="turbo", vmin=low, vmax=high)
         ax.set_title(title)
         ax.set_axis_off()
@@ -142,7 +149,7 @@ def plot_comparison(
     if error_limit_mm is None:
         error_limit_mm = max(float(np.nanpercentile(np.abs(error_mm), 99)), 1e-6)
     with use_style():
-        height = WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.75
+        height = WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.95
         figure, axes = make_axes(3, "full", height)
         for ax, title, image in zip(axes, ("ours", "truth"), (ours, truth), strict=False):
             ax.set_title(title)
@@ -229,22 +236,13 @@ def plot_lines(
     """
     with use_style():
         figure, (ax,) = make_axes(1, "full", 2.8)
-        for name, y in lines.items():
-            (line,) = ax.plot(x, y, lw=1.8)
-            last = np.flatnonzero(np.isfinite(y))[-1]
-            ax.annotate(
-                name,
-                (x[last], y[last]),
-                xytext=(6, 0),
-                textcoords="offset points",
-                va="center",
-                color=line.get_color(),
-            )
+        drawn = [ax.plot(x, y, lw=1.8)[0] for y in lines.values()]
         ax.set_xlabel(x_label)
         ax.set_ylabel(y_label)
         ax.margins(x=0.02)
         if log_y:
             ax.set_yscale("log")
+        label_ends(ax, dict(zip(lines, drawn, strict=True)))
         return Picture.from_figure(figure, f"{y_label} over {x_label}: {', '.join(lines)}")
 
 

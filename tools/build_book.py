@@ -88,7 +88,14 @@ CELL_VARIABLES = ("MUJOCO_GL",)
 CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 # What the look of every page depends on, but not its numbers. Sphinx does not even copy
 # a changed style sheet while no page has changed, and pages name it by its checksum.
-PAGE_SOURCES = ("book/_ext", "book/_static", "_config.yml", "_toc.yml", "package-lock.json")
+PAGE_SOURCES = (
+    "book/_ext",
+    "book/_static",
+    "book/_templates",
+    "_config.yml",
+    "_toc.yml",
+    "package-lock.json",
+)
 PAGE_MEMORY = (".doctrees", "html")
 
 COLOR_CODES = re.compile(r"\x1b\[[0-9;]*m")

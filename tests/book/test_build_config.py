@@ -68,6 +68,27 @@ def test_no_lock_file_says_where_packages_came_from():
         assert not ADDRESS_OF_A_PACKAGE.search((ROOT / name).read_text()), name
 
 
+def test_the_packages_of_the_browser_tests_come_with_all_they_need(monkeypatch):
+    vendor = load("tools/vendor_frontend.py", monkeypatch)
+    packages = {
+        "node_modules/driver": {"dependencies": {"wrap": "1", "width": "2"}},
+        "node_modules/wrap": {"dependencies": {"width": "1", "driver": "1"}},
+        "node_modules/wrap/node_modules/width": {"dependencies": {"ansi": "1"}},
+        "node_modules/width": {},
+        "node_modules/ansi": {},
+        "node_modules/unused": {},
+    }
+    places = vendor._with_dependencies(["driver"], packages)
+    assert sorted(places) == ["ansi", "driver", "width", "wrap", "wrap/node_modules/width"]
+
+
+def test_every_package_of_the_browser_tests_is_locked(monkeypatch, manifest, lock):
+    vendor = load("tools/vendor_frontend.py", monkeypatch)
+    places = vendor._with_dependencies(manifest["devDependencies"], lock["packages"])
+    assert set(manifest["devDependencies"]) < set(places)
+    assert all(lock["packages"][f"node_modules/{place}"]["integrity"] for place in places)
+
+
 def test_repository_address_is_stated_once(config):
     address = config["repository"]["url"]
     assert (ROOT / "_config.yml").read_text().count(address) == 1

@@ -74,6 +74,15 @@ export async function settle(page) {
   await page.waitForLoadState("networkidle", { timeout: QUIET_MS }).catch(() => {});
 }
 
+/** Loads the pictures that wait until the reader comes near. */
+export async function loadPictures(page) {
+  await page.evaluate(async () => {
+    const waiting = [...document.querySelectorAll("main img[loading=lazy]")];
+    for (const image of waiting) image.loading = "eager";
+    await Promise.allSettled(waiting.map((image) => image.decode()));
+  });
+}
+
 /** Selectors: the widgets that a page announces, and those that are drawn. */
 export const WIDGETS = {
   views: 'script[type$="widget-view+json"]',

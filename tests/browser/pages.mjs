@@ -4,7 +4,7 @@
 import { promisify } from "node:util";
 import { gzip } from "node:zlib";
 
-import { close, DESKTOP, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
+import { close, DESKTOP, loadPictures, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
 
 const packed = promisify(gzip);
 const TABS_AT_ONCE = 3; // a page mostly waits
@@ -30,7 +30,7 @@ async function visit(browser, site, name) {
   await page.goto(new URL(`${name}.html`, site).href, { waitUntil: "load" });
   await settle(page);
   const weights = site.startsWith("http") ? await weigh(responses, site) : {};
-  await loadLazyImages(page);
+  await loadPictures(page);
   const found = await page.evaluate(inspect, WIDGETS);
   await page.setViewportSize(DESKTOP);
   const keyboard = await walk(page);
@@ -47,18 +47,6 @@ async function weigh(responses, site) {
     weights[name] = (await packed(await response.body())).length;
   }
   return weights;
-}
-
-/** Scrolls to the end, so that images load that wait to be seen. */
-async function loadLazyImages(page) {
-  await page.evaluate(async () => {
-    const images = [...document.querySelectorAll("main img[loading=lazy]")];
-    for (const image of images) {
-      image.scrollIntoView();
-      await image.decode().catch(() => {}); // inspect() reports what is not drawn
-    }
-    window.scrollTo(0, 0);
-  });
 }
 
 /** Runs in the page: what a phone or a screen reader would trip over. */
@@ -80,12 +68,20 @@ function inspect(widgets) {
     formulas: document.querySelectorAll(".math").length,
     typeset: document.querySelectorAll(".math mjx-container").length,
     formulaErrors: document.querySelectorAll("mjx-merror").length,
-    icons: iconsOf(document),
+    icons: icons(),
   };
 
-  function iconsOf(root) {
-    const classes = [...root.querySelectorAll("[class*='fa-']")].flatMap((e) => [...e.classList]);
-    return [...new Set(classes)].filter((name) => name.startsWith("fa-"));
+  /** What is drawn as a letter of an icon font: its font and its code, after all scripts. */
+  function icons() {
+    const found = new Set();
+    for (const element of document.querySelectorAll("body, body *")) {
+      for (const place of ["::before", "::after"]) {
+        const { content, fontFamily } = getComputedStyle(element, place);
+        const [letter] = content.match(/[\ue000-\uf8ff]/) ?? [];
+        if (letter) found.add(`${fontFamily.split(",")[0]} ${letter.codePointAt(0).toString(16)}`);
+      }
+    }
+    return [...found];
   }
 }
 

@@ -1,15 +1,18 @@
-// node site.mjs SITE: uses what every page shares - theme switch, search, skip link - as a
-// reader would, and prints what happened. test_site.py says what is right.
+// node site.mjs SITE: uses what every page shares - theme switch, search, skip link, print - as
+// a reader would, and prints what happened. test_site.py says what is right.
 
 import { close, main, newPage, openPage, settle } from "./_browser.mjs";
 
 const PAGE = "book/step2_intrinsics";
+const PAGE_WITH_FOLDS = "book/conventions";
+const STORE_MS = 1000; // Chromium writes down a choice a moment later; no reader reloads sooner
 const WORD = "disparity"; // in the text of few pages, so that not every page is a result
 
 await main(async (browser, site) => ({
   theme: await switchTheme(browser, site),
   search: await search(browser, site),
   skip: await skip(browser, site),
+  paper: await putOnPaper(browser, site),
 }));
 
 /** Clicks the switch until the theme is dark, then reloads and goes to another page. */
@@ -28,6 +31,7 @@ async function switchTheme(browser, site) {
     seen.push((await look()).theme);
   }
   const after = await look();
+  await page.waitForTimeout(STORE_MS);
   await page.reload();
   const reloaded = await look();
   await page.goto(new URL("book/glossary.html", site).href);
@@ -77,4 +81,32 @@ async function skip(browser, site) {
   const inMain = await page.evaluate(() => Boolean(document.activeElement.closest("main")));
   await close(tab);
   return { first, inMain };
+}
+
+/** Prints a dark page, and looks what would be on the paper. */
+async function putOnPaper(browser, site) {
+  const tab = await openPage(browser, site, PAGE_WITH_FOLDS, { colorScheme: "dark" });
+  const { page } = tab;
+  await page.evaluate(() => {
+    const folded = document.createElement("details");
+    folded.innerHTML = "<summary>More</summary><p id='folded'>Folded text</p>";
+    document.querySelector("article").append(folded);
+  });
+  await page.emulateMedia({ media: "print", colorScheme: "dark" });
+  await page.pdf(); // loads the pictures that wait to be seen
+  const paper = await page.evaluate(() => {
+    const sees = (selector) =>
+      [...document.querySelectorAll(selector)].some((e) => e.checkVisibility());
+    const { color, backgroundColor } = getComputedStyle(document.body);
+    return {
+      sidebars: sees(".bd-sidebar-primary, .bd-sidebar-secondary, .bd-header-article"),
+      article: sees("article.bd-article p"),
+      unfolded: document.getElementById("folded").getBoundingClientRect().height > 0,
+      color,
+      backgroundColor,
+      missing: [...document.images].filter((i) => i.checkVisibility() && !i.naturalWidth).length,
+    };
+  });
+  await close(tab);
+  return paper;
 }

@@ -1,4 +1,4 @@
-"""What all pages share works, as a file and from a server: theme, search, skip link."""
+"""What all pages share works, as a file and from a server: theme, search, skip link, print."""
 
 from __future__ import annotations
 
@@ -35,3 +35,14 @@ def test_search_finds_the_pages_that_hold_a_word(used):
 
 def test_the_first_stop_of_the_keyboard_skips_to_the_content(used):
     assert used["skip"] == {"first": "Skip to main content", "inMain": True}
+
+
+def test_paper_is_white_and_carries_the_whole_text_and_nothing_else(used):
+    assert used["paper"] == {
+        "sidebars": False,
+        "article": True,
+        "unfolded": True,
+        "color": "rgb(0, 0, 0)",
+        "backgroundColor": "rgb(255, 255, 255)",
+        "missing": 0,
+    }

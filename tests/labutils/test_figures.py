@@ -8,6 +8,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import visualize_pointcloud
+from labutils._picture import spread_labels
 from labutils._splat import get_view_point, make_look_at, render_points
 from labutils.figures import (
     Picture,
@@ -186,3 +187,32 @@ def test_visualize_pointcloud_opens_a_window_where_there_is_a_screen(monkeypatch
 def test_visualize_pointcloud_of_bad_input_says_why(points, colors, words):
     with pytest.raises(ValueError, match=words):
         visualize_pointcloud(points, colors)
+
+
+@pytest.mark.parametrize("name", ["comparison", "depth", "images"])
+def test_no_title_or_label_is_cut_off_at_the_edge(figures, name):
+    alpha = decode(figures[name])[..., 3]
+    assert alpha[0].max() == 0
+    assert alpha[-1].max() == 0
+
+
+def test_titles_stand_whole_above_wide_pictures():
+    # the pictures of the book: 4:3, so that titles and color bars fight for the height
+    depth = np.random.default_rng(RNG_SEED).uniform(1, 3, (240, 320))
+    rgb = np.zeros((240, 320, 3), np.uint8)
+    for picture in (
+        plot_comparison(depth, depth + 0.001),
+        plot_images({"one": rgb, "two": rgb}),
+        plot_images({"one": rgb, "two": rgb, "three": rgb}),
+        plot_depth(depth, title="depth"),
+    ):
+        assert decode(picture)[0, :, 3].max() == 0
+
+
+def test_labels_that_would_overlap_move_apart_and_others_stay():
+    assert_allclose(spread_labels(np.array([50.0, 10.0]), 13), [50, 10])
+    assert_allclose(spread_labels(np.array([5.0, 5.0]), 13), [-1.5, 11.5])
+    apart = spread_labels(np.array([3.0, 1.0, 2.0, 90.0]), 10)
+    assert_array_equal(np.argsort(apart), [1, 2, 0, 3])
+    # to rounding: the gap is made by adding and taking away again
+    assert np.diff(np.sort(apart)).min() >= 10 - 1e-9

@@ -1,0 +1,191 @@
+"""The hooks that make pages light: icons, pictures, what is left out."""
+
+import importlib.util
+import io
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from fontTools.ttLib import TTFont
+from PIL import Image
+
+ROOT = Path(__file__).resolve().parents[2]
+
+SHEET = (
+    '.fa-bars:before,.fa-navicon:before{content:"\\f0c9"}.fa-github:before{content:"\\f09b"}'
+    ".fa-lg{font-size:1.25em}"
+)
+
+
+def load(name):
+    """Import a hook, which belongs to no package."""
+    spec = importlib.util.spec_from_file_location(
+        f"loaded_{name}", ROOT / "book" / "_ext" / f"{name}.py"
+    )
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def icons():
+    return load("icons")
+
+
+@pytest.fixture
+def fonts(icons):
+    """The theme's own folder of fonts."""
+    theme = importlib.util.find_spec("pydata_sphinx_theme").submodule_search_locations[0]
+    app = SimpleNamespace(
+        builder=SimpleNamespace(
+            theme=SimpleNamespace(
+                get_theme_dirs=lambda: ["/nowhere", f"{theme}/theme/pydata_sphinx_theme"]
+            )
+        )
+    )
+    return icons._theme_folder(app) / "vendor" / "fontawesome" / "webfonts"
+
+
+def test_icons_of_a_page_are_found_with_their_style_and_code(icons):
+    codes = icons.read_names(SHEET)
+    assert codes == {"fa-bars": 0xF0C9, "fa-navicon": 0xF0C9, "fa-github": 0xF09B}
+    html = '<i class="fa-solid fa-bars fa-lg"></i><i class="x fa-brands fa-github"></i>'
+    assert icons.find_in_page(html, codes, SHEET) == {(0, 0xF0C9), (2, 0xF09B)}
+
+
+def test_icons_of_widgets_are_found_in_their_state(icons):
+    codes = icons.read_names(SHEET)
+    html = '{"description": "", "icon": "bars", "tooltip": null}'
+    assert icons.find_in_page(html, codes, SHEET) == {(0, 0xF0C9)}
+
+
+def test_an_icon_that_does_not_exist_is_named(icons):
+    with pytest.raises(icons.UnknownIconError, match="'fa-no-such'"):
+        icons.find_in_page('<i class="fas fa-no-such"></i>', icons.read_names(SHEET), SHEET)
+
+
+def test_icons_of_sheets_and_scripts_are_found_without_the_list_of_all(icons, tmp_path):
+    (tmp_path / "styles").mkdir()
+    (tmp_path / "styles" / "theme.css").write_text(SHEET + ':root{--x:"\uf002"}')
+    (tmp_path / "own.css").write_text('a::after{content:"\\f107"}')
+    (tmp_path / "own.js").write_text('icon.className = "fa-solid fa-bars";')
+    found = icons.find_anywhere(tmp_path, icons.read_names(SHEET))
+    assert found == {0xF002, 0xF107, 0xF0C9}
+
+
+def test_the_fonts_hold_what_is_asked_for_and_no_more(icons, fonts):
+    content = icons.cut_font(fonts / "fa-solid-900.ttf", {0xF0C9, 0xF107, 0xF8FE}, "Some Name")
+    font = TTFont(io.BytesIO(content))
+    assert set(font.getBestCmap()) == {0xF0C9, 0xF107}
+    names = {str(record) for record in font["name"].names if record.nameID in icons.NAME_IDS}
+    assert not any("Awesome" in name for name in names)
+    assert icons.cut_font(fonts / "fa-brands-400.ttf", {0xF0C9}, "Some Name") == b""
+
+
+def test_the_same_icons_make_the_same_sheet(icons, fonts):
+    used = {(0, 0xF0C9), (1, 0xF0C5), (2, 0xF09B)}
+    first = icons.make_sheet(fonts, used, {0xF107})
+    assert first == icons.make_sheet(fonts, used, {0xF107})
+    assert first.count("@font-face") == 3
+    assert "Font Awesome" in first  # whose icons they are
+    assert icons.make_sheet(fonts, set(), set()) == icons.LICENSE
+
+
+def test_a_theme_without_font_awesome_is_refused(icons):
+    theme = SimpleNamespace(get_theme_dirs=list)
+    with pytest.raises(FileNotFoundError, match="Font Awesome"):
+        icons._theme_folder(SimpleNamespace(builder=SimpleNamespace(theme=theme)))
+
+
+@pytest.mark.parametrize("kind", ["epub", "html"])
+def test_the_script_gives_way_to_the_sheet_in_every_page(kind, icons, fonts, tmp_path, monkeypatch):
+    monkeypatch.setattr(icons, "_theme_folder", lambda _: fonts.parents[2])
+    (tmp_path / "_static" / "styles").mkdir(parents=True)
+    (tmp_path / "_static" / "styles" / "pydata-sphinx-theme.css").write_text(SHEET)
+    page = tmp_path / "page.html"
+    page.write_text('<script defer src="_static/scripts/fontawesome.js?digest=1"></script>')
+    app = SimpleNamespace(outdir=tmp_path, builder=SimpleNamespace(name=kind))
+    icons.replace_font_awesome(app, None)
+    if kind == "html":
+        first = page.read_text()
+        assert 'href="_static/icon_fonts.css?v=' in first
+        assert "fontawesome" not in first
+        # another icon, another version: a browser must not use the sheet it has kept
+        page.write_text(first + '<i class="fa-solid fa-bars"></i>')
+        icons.replace_font_awesome(app, None)
+        assert first not in page.read_text()
+    else:
+        assert not (tmp_path / "_static" / icons.SHEET).exists()
+
+
+def test_pictures_after_the_first_wait_and_all_hold_their_place(tmp_path):
+    hook = load("pictures")
+    Image.new("RGB", (8, 6)).save(tmp_path / "a.png")
+    app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(images={"a.png": "a.png"}))
+    tag = '<img alt="one" src="../_images/a.png" />'
+    context = {"body": f"{tag} text {tag}"}
+    hook.size_and_delay(app, "", "", context, None)
+    first, second = context["body"].split(" text ")
+    assert "loading" not in first
+    assert 'loading="lazy"' in second
+    for made in (first, second):
+        assert 'width="8" height="6"' in made
+        assert 'alt="one"' in made
+    before = context["body"]
+    hook.size_and_delay(app, "", "", context, None)
+    assert context["body"].count('loading="lazy"') == before.count('loading="lazy"')
+
+
+def test_pictures_of_cells_keep_every_pixel(tmp_path):
+    hook = load("pictures")
+    picture = Image.effect_noise((32, 16), 80).convert("RGBA")
+    picture.putalpha(Image.linear_gradient("L").resize((32, 16)))
+    picture.save(tmp_path / "a.png")
+    converter = hook.WebpConverter.__new__(hook.WebpConverter)
+    assert converter.convert(tmp_path / "a.png", tmp_path / "a.webp")
+    with Image.open(tmp_path / "a.webp") as kept:
+        assert kept.tobytes() == picture.tobytes()
+
+
+@pytest.mark.parametrize(
+    ("uri", "expected"),
+    [("_build/jupyter_execute/abc.png", True), ("book/_static/cover.png", False)],
+)
+def test_only_pictures_of_cells_are_converted(uri, expected):
+    hook = load("pictures")
+    converter = hook.WebpConverter.__new__(hook.WebpConverter)
+    app = SimpleNamespace(builder=SimpleNamespace(format="html"))
+    converter.document = SimpleNamespace(settings=SimpleNamespace(env=SimpleNamespace(app=app)))
+    node = {"uri": uri, "candidates": {"*": uri}}
+    assert converter.match(node) is expected
+
+
+def test_only_the_search_page_reads_the_search_index(tmp_path):
+    hook = load("lean")
+    tags = (
+        '<script src="../_static/searchtools.js"></script>\n'
+        '<script src="../_static/language_data.js"></script>\n'
+        '<script src="../searchindex.js"></script>\n'
+    )
+    for name in ("search", "page"):
+        (tmp_path / f"{name}.html").write_text(tags)
+    (tmp_path / "_static" / "locales" / "de").mkdir(parents=True)
+    (tmp_path / "_static" / "sphinx-thebe.js").write_text("")
+    (tmp_path / "_static" / "quiz.js").write_text("")
+    hook.drop_files(SimpleNamespace(outdir=tmp_path, builder=SimpleNamespace(name="html")), None)
+    assert (tmp_path / "search.html").read_text() == tags
+    assert (tmp_path / "page.html").read_text().strip() == ""
+    assert [path.name for path in (tmp_path / "_static").iterdir()] == ["quiz.js"]
+
+
+def test_settings_of_thebe_leave_the_page():
+    hook = load("lean")
+    sheets = [SimpleNamespace(filename=name) for name in ("book.css", "sphinx-thebe.css")]
+    body = (
+        '<p>text</p><script type="text/x-thebe-config">{}</script> '
+        "<script>kernelName = 'python3'</script><p>stamp</p>"
+    )
+    context = {"body": body, "css_files": sheets}
+    hook.drop_tags(None, "", "", context, None)
+    assert context["body"] == "<p>text</p><p>stamp</p>"
+    assert [sheet.filename for sheet in context["css_files"]] == ["book.css"]
