@@ -22,6 +22,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import pack_python
 import vendor_frontend
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -88,7 +89,14 @@ CELL_VARIABLES = ("MUJOCO_GL",)
 CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 # What the look of every page depends on, but not its numbers. Sphinx does not even copy
 # a changed style sheet while no page has changed, and pages name it by its checksum.
-PAGE_SOURCES = ("book/_ext", "book/_static", "_config.yml", "_toc.yml", "package-lock.json")
+PAGE_SOURCES = (
+    "book/_ext",
+    "book/_static",
+    "_build/page_python.json",  # names every asset of Python in the page
+    "_config.yml",
+    "_toc.yml",
+    "package-lock.json",
+)
 PAGE_MEMORY = (".doctrees", "html")
 
 COLOR_CODES = re.compile(r"\x1b\[[0-9;]*m")
@@ -125,7 +133,7 @@ def main() -> int:
         print(f"book: {error}", file=sys.stderr)
         return 2
     edition.build.mkdir(parents=True, exist_ok=True)
-    if code := vendor_frontend.main([]):
+    if code := vendor_frontend.main([]) or pack_python.main():
         return code
     if edition.name == "instructor":
         # measures every mistake, which only this edition needs
