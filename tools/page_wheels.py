@@ -76,7 +76,9 @@ def find_wheels(lock_file: Path, version: str, download: Download | None = None)
         except WheelError as error:
             print(f"python in the page: {VARIABLE}: {error}; trying the CDN", file=sys.stderr)
     remote = tuple(
-        RemoteWheel(name, CDN.format(version=version, **entry), entry["sha256"])
+        RemoteWheel(
+            name, CDN.format(version=version, file_name=entry["file_name"]), entry["sha256"]
+        )
         for name, entry in wanted.items()
     )
     try:

@@ -122,6 +122,7 @@ def add_scripts(
         return
     manifest = json.loads(manifest_file.read_text(encoding="utf-8"))
     data = make_data(manifest, names, context["pathto"](f"{FOLDER}/", 1))
+    data["titles"] = get_titles(app, names)
     # "</" would end the element
     text = json.dumps(data, sort_keys=True).replace("</", "<\\/")
     context["body"] += f'<script type="application/json" id="exercise-data">{text}</script>\n'
@@ -136,6 +137,29 @@ def make_data(manifest: dict[str, Any], names: list[str], base: str) -> dict[str
     shared = {key: manifest[key] for key in ("version", "assets", "bytes", "remote", "lock")}
     exercises = {name: {"hints": words[name]["hints"]} for name in names}
     return {**shared, "base": base, "tables": tables, "exercises": exercises}
+
+
+def get_titles(app: Sphinx, names: list[str]) -> dict[str, str]:
+    """Return the headings of the places that the verdicts of exercises link to.
+
+    Raises
+    ------
+    ExtensionError
+        If the book has no such section.
+    """
+    domain = app.env.get_domain("std")
+    titles = {}
+    for name in names:
+        words = read_words()[name]
+        for link in (words["section"], *words["links"].values()):
+            label = link.partition("#")[2]
+            if label not in domain.anonlabels:
+                raise ExtensionError(f"{name}: its check links to {link}, which is nowhere")
+            # a place that is no heading has no title of its own
+            page = domain.anonlabels[label][0]
+            known = domain.labels.get(label)
+            titles[link] = known[2] if known else app.env.titles[page].astext()
+    return titles
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -5,6 +5,15 @@
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
 
+  // what the status line says after a check; the verdict itself stands below it
+  const SUMMARY = {
+    passed: "Checked: passed.",
+    failed: "Checked: not yet.",
+    "not checked": "Not checked.",
+    error: "Your code stops with an error.",
+    stopped: "Stopped.",
+  };
+
   /** Make an element: a class, a text, attributes. */
   function make(tag, className, text = "", attributes = {}) {
     const element = document.createElement(tag);
@@ -140,7 +149,7 @@
       if (said.progress) progress.merge(progress.parse(said.progress));
       if (said.result !== "stopped") progress.writeResult(this.name, code, said);
       this.show(said, code);
-      this.say(said.headline || { stopped: "Stopped." }[said.result] || "Your code stops with an error.");
+      this.say(SUMMARY[said.result]);
     }
 
     setBusy(isBusy) {
@@ -178,6 +187,9 @@
     const verdict = make("div", "exercise-verdict");
     verdict.innerHTML = said.html;
     for (const element of verdict.querySelectorAll("[style]")) element.removeAttribute("style");
+    for (const link of verdict.querySelectorAll("a")) {
+      link.textContent = python.data.titles[link.getAttribute("href")] ?? link.textContent;
+    }
     return verdict;
   }
 

@@ -28,12 +28,14 @@ MAX_PRINTED = 20_000
 class Printed(io.StringIO):
     """Keep what is printed, up to a limit."""
 
+    is_full = False
+
     def write(self, text: str) -> int:
         """Write, or drop what is beyond the limit."""
-        room = MAX_PRINTED - self.tell()
-        if room > 0:
-            super().write(text[:room])
-            if len(text) > room:
+        if not self.is_full:
+            super().write(text[: MAX_PRINTED - self.tell()])
+            if self.tell() >= MAX_PRINTED:
+                self.is_full = True
                 super().write("\n... (more was printed than can be shown)")
         return len(text)
 
