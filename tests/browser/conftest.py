@@ -1,0 +1,62 @@
+"""What every browser test stands on: a browser, its driver, the pages, two ways to open them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.helpers import browser
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Callable[..., Any]:
+    """Run a script of this folder in Chromium: ``chromium("pages.mjs", site, ...)``."""
+    path = browser.require_chromium()
+    browser.require_packages()
+    return partial(browser.run_script, variables={"CHROMIUM": path})
+
+
+@pytest.fixture(scope="session")
+def firefox() -> Callable[..., Any]:
+    """Run a script of this folder in Firefox, likewise."""
+    path = browser.require_firefox()
+    browser.require_packages()
+    return partial(browser.run_script, variables={"FIREFOX": path})
+
+
+@pytest.fixture(scope="session")
+def student_pages() -> Path:
+    """The folder of the built pages."""
+    return browser.require_pages()
+
+
+@pytest.fixture(scope="session")
+def file_site(student_pages: Path) -> str:
+    """The address of the pages as files, with a slash at its end."""
+    return student_pages.as_uri() + "/"
+
+
+@pytest.fixture(scope="session")
+def http_site(student_pages: Path) -> Iterator[str]:
+    """The address of the pages on a server of this machine, with a slash at its end."""
+    with browser.serve(student_pages) as address:
+        yield address
+
+
+@pytest.fixture(scope="session", params=["file", "http"])
+def site(request: pytest.FixtureRequest) -> str:
+    """Both addresses, one after the other."""
+    return request.getfixturevalue(f"{request.param}_site")
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Callable[..., Any]:
+    """Run something once for all test processes: ``once(name, function)``."""
+    folder = tmp_path_factory.getbasetemp()
+    if worker_id != "master":
+        folder = folder.parent  # what the processes of pytest-xdist share
+    return lambda name, make: browser.once(folder / f"once-{name}.json", make)

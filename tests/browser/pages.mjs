@@ -1,0 +1,130 @@
+// node pages.mjs SITE PAGE...: opens every page on a narrow phone, as a first visitor, and
+// prints {page: what was found}. test_pages.py and test_weight.py say what is right.
+
+import { promisify } from "node:util";
+import { gzip } from "node:zlib";
+
+import { close, DESKTOP, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
+
+const packed = promisify(gzip);
+const TABS_AT_ONCE = 3; // a page mostly waits
+const MOST_STOPS = 200; // of the Tab key, before the article
+
+await main(async (browser, site, ...names) => {
+  const results = {};
+  const queue = [...names];
+  const worker = async () => {
+    for (let name = queue.shift(); name; name = queue.shift()) {
+      results[name] = await visit(browser, site, name);
+    }
+  };
+  await Promise.all(Array.from({ length: TABS_AT_ONCE }, worker));
+  return results;
+});
+
+async function visit(browser, site, name) {
+  const tab = await newPage(browser, site, { viewport: NARROW });
+  const { page, complaints } = tab;
+  const responses = [];
+  page.on("response", (response) => responses.push(response));
+  await page.goto(new URL(`${name}.html`, site).href, { waitUntil: "load" });
+  await settle(page);
+  const weights = site.startsWith("http") ? await weigh(responses, site) : {};
+  await loadLazyImages(page);
+  const found = await page.evaluate(inspect, WIDGETS);
+  await page.setViewportSize(DESKTOP);
+  const keyboard = await walk(page);
+  const result = { ...found, keyboard, weights, complaints: [...complaints] };
+  await close(tab);
+  return result;
+}
+
+/** Bytes of every response, gzipped, by its address. */
+async function weigh(responses, site) {
+  const weights = {};
+  for (const response of responses) {
+    const name = response.url().slice(site.length).replace(/\?.*/, "");
+    weights[name] = (await packed(await response.body())).length;
+  }
+  return weights;
+}
+
+/** Scrolls to the end, so that images load that wait to be seen. */
+async function loadLazyImages(page) {
+  await page.evaluate(async () => {
+    const images = [...document.querySelectorAll("main img[loading=lazy]")];
+    for (const image of images) {
+      image.scrollIntoView();
+      await image.decode().catch(() => {}); // inspect() reports what is not drawn
+    }
+    window.scrollTo(0, 0);
+  });
+}
+
+/** Runs in the page: what a phone or a screen reader would trip over. */
+function inspect(widgets) {
+  const { scrollWidth, clientWidth } = document.documentElement;
+  const isWide = (element) => element.getBoundingClientRect().right > clientWidth + 1;
+  const describe = (element) => `${element.tagName.toLowerCase()}.${element.className}`;
+  const wide = scrollWidth > clientWidth ? [...document.querySelectorAll("main *")] : [];
+  const images = [...document.querySelectorAll("main article img")];
+  const source = (image) => image.getAttribute("src").slice(0, 80);
+  return {
+    tooWide: scrollWidth - clientWidth,
+    wideElements: wide.filter(isWide).slice(0, 3).map(describe),
+    images: images.length,
+    withoutAlt: images.filter((image) => !image.alt.trim()).map(source),
+    notDrawn: images.filter((image) => !image.naturalWidth).map(source),
+    views: document.querySelectorAll(widgets.views).length,
+    drawn: document.querySelectorAll(widgets.count).length,
+    formulas: document.querySelectorAll(".math").length,
+    typeset: document.querySelectorAll(".math mjx-container").length,
+    formulaErrors: document.querySelectorAll("mjx-merror").length,
+    icons: iconsOf(document),
+  };
+
+  function iconsOf(root) {
+    const classes = [...root.querySelectorAll("[class*='fa-']")].flatMap((e) => [...e.classList]);
+    return [...new Set(classes)].filter((name) => name.startsWith("fa-"));
+  }
+}
+
+/** Presses Tab from the top: the skip link, then through the page until its article. */
+async function walk(page) {
+  const focused = () =>
+    page.evaluate(async () => {
+      // the skip link slides in
+      await Promise.allSettled(document.getAnimations().map((animation) => animation.finished));
+      const element = document.activeElement;
+      const box = element.getBoundingClientRect();
+      const style = getComputedStyle(element);
+      const ring = parseFloat(style.outlineWidth) > 0 && style.outlineStyle !== "none";
+      const around = element.closest("label"); // which may show the ring of its control
+      const outer = around && getComputedStyle(around).outlineStyle !== "none";
+      return {
+        what: `${element.tagName.toLowerCase()} ${element.textContent.trim().slice(0, 40)}`,
+        link: element.getAttribute("href"),
+        inArticle: Boolean(element.closest("main .bd-article, main .bd-search-container")),
+        visible: box.width > 0 && box.height > 0 && box.bottom > 0 && box.top < innerHeight,
+        ring: ring || Boolean(outer),
+      };
+    });
+  await page.evaluate(() => {
+    document.body.tabIndex = -1; // the search page has put the focus elsewhere
+    document.body.focus();
+    document.body.removeAttribute("tabindex");
+    window.scrollTo(0, 0);
+  });
+  const stops = [];
+  for (let count = 0; count < MOST_STOPS && !stops.at(-1)?.inArticle; count++) {
+    await page.keyboard.press("Tab");
+    stops.push(await focused());
+  }
+  return {
+    skips: stops.some(({ link }) => link === "#main-content"),
+    hidden: stops.filter((stop) => !stop.visible).map((stop) => stop.what),
+    ringless: stops.filter((stop) => !stop.ring).map((stop) => stop.what),
+    reachesArticle: stops.at(-1).inArticle,
+    stops: stops.length,
+  };
+}

@@ -1,0 +1,80 @@
+// node site.mjs SITE: uses what every page shares - theme switch, search, skip link - as a
+// reader would, and prints what happened. test_site.py says what is right.
+
+import { close, main, newPage, openPage, settle } from "./_browser.mjs";
+
+const PAGE = "book/step2_intrinsics";
+const WORD = "disparity"; // in the text of few pages, so that not every page is a result
+
+await main(async (browser, site) => ({
+  theme: await switchTheme(browser, site),
+  search: await search(browser, site),
+  skip: await skip(browser, site),
+}));
+
+/** Clicks the switch until the theme is dark, then reloads and goes to another page. */
+async function switchTheme(browser, site) {
+  const tab = await openPage(browser, site, PAGE, { colorScheme: "light" });
+  const { page, complaints } = tab;
+  const look = () =>
+    page.evaluate(() => ({
+      theme: document.documentElement.dataset.theme,
+      paper: getComputedStyle(document.body).backgroundColor,
+    }));
+  const before = await look();
+  const seen = [];
+  for (let clicks = 0; clicks < 3 && (await look()).theme !== "dark"; clicks++) {
+    await page.click(".theme-switch-button:visible");
+    seen.push((await look()).theme);
+  }
+  const after = await look();
+  await page.reload();
+  const reloaded = await look();
+  await page.goto(new URL("book/glossary.html", site).href);
+  const elsewhere = await look();
+  await close(tab);
+  return { before, seen, after, reloaded, elsewhere, complaints: [...complaints] };
+}
+
+/** Types a word into the sidebar's search, as a reader does, and follows the first result. */
+async function search(browser, site) {
+  const tab = await openPage(browser, site, PAGE);
+  const { page, complaints } = tab;
+  const field = page.locator("input[type=search]:visible").first();
+  if (!(await field.count())) await page.click(".search-button__button:visible, .search-button-field:visible");
+  await field.fill(WORD);
+  await Promise.all([page.waitForURL(/search\.html/), field.press("Enter")]);
+  await page.waitForSelector("#search-results .search-summary");
+  const isDone = () => /finished/i.test(document.querySelector(".search-summary").textContent);
+  await page.waitForFunction(isDone);
+  const results = await page.$$eval("#search-results .search li > a", (all) =>
+    all.map((link) => link.href),
+  );
+  const excerpts = await page.$$eval("#search-results .context", (all) => all.length);
+  await page.click("#search-results .search li > a");
+  await settle(page);
+  const arrived = page.url().split("#")[0].slice(site.length);
+  const text = await page.locator("article").innerText();
+  await close(tab);
+  return {
+    results: results.map((link) => link.slice(site.length)),
+    excerpts,
+    arrived,
+    hasWord: text.toLowerCase().includes(WORD),
+    complaints: [...complaints],
+  };
+}
+
+/** Tab, Enter: the focus leaves the header for the content. */
+async function skip(browser, site) {
+  const tab = await newPage(browser, site);
+  const { page } = tab;
+  await page.goto(new URL(`${PAGE}.html`, site).href);
+  await page.keyboard.press("Tab");
+  const first = await page.evaluate(() => document.activeElement.textContent.trim());
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Tab");
+  const inMain = await page.evaluate(() => Boolean(document.activeElement.closest("main")));
+  await close(tab);
+  return { first, inMain };
+}

@@ -1,0 +1,37 @@
+"""What all pages share works, as a file and from a server: theme, search, skip link."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.helpers import browser
+
+
+@pytest.fixture(scope="module", params=["file", "http"])
+def used(request, chromium, once):
+    """What happened when a reader used the site."""
+    site = request.getfixturevalue(f"{request.param}_site")
+    return once(f"site-{request.param}", lambda: chromium("site.mjs", site))
+
+
+def test_the_theme_switch_darkens_the_page_and_is_remembered(used):
+    theme = used["theme"]
+    assert theme["before"]["theme"] == "light"
+    assert theme["after"]["theme"] == "dark"
+    assert theme["after"]["paper"] != theme["before"]["paper"]
+    assert theme["reloaded"] == theme["after"]
+    assert theme["elsewhere"] == theme["after"]
+    assert theme["complaints"] == []
+
+
+def test_search_finds_the_pages_that_hold_a_word(used):
+    search = used["search"]
+    pages = {result.split("?")[0].split("#")[0] for result in search["results"]}
+    assert search["arrived"] in pages
+    assert search["hasWord"]
+    assert 0 < len(pages) < len(browser.names_of_pages())
+    assert search["complaints"] == []
+
+
+def test_the_first_stop_of_the_keyboard_skips_to_the_content(used):
+    assert used["skip"] == {"first": "Skip to main content", "inMain": True}

