@@ -111,3 +111,9 @@ def test_from_a_server_python_works_as_well(chromium, http_site, packed):  # noq
     assert said["starter"]["result"] == "failed"
     assert "Not started yet." in said["starter"]["text"]
     assert done["complaints"] == []
+
+
+def test_python_works_in_firefox_too(firefox, site, packed):  # noqa: ARG001
+    done = firefox("exercises_firefox.mjs", site, page_of(3))
+    assert "Not started yet." in done["text"]
+    assert done["complaints"] == []
