@@ -21,10 +21,17 @@ export async function setCode(page, name, text) {
   }, text);
 }
 
-/** The lines that an editor shows. */
+/** The whole code of an editor, also what is scrolled away: as a reader who copies. */
 export async function getCode(page, name) {
-  const lines = cell(page, name).locator(".cm-line");
-  return (await lines.allTextContents()).join("\n");
+  const editor = cell(page, name).locator(".cm-content");
+  await editor.focus();
+  await page.keyboard.press("ControlOrMeta+A");
+  return editor.evaluate((element) => {
+    const clipboardData = new DataTransfer();
+    const options = { clipboardData, bubbles: true, cancelable: true };
+    element.dispatchEvent(new ClipboardEvent("copy", options));
+    return clipboardData.getData("text/plain");
+  });
 }
 
 /** Waits until no check of the exercise is under way; returns what it says. */

@@ -63,8 +63,8 @@ await main(async (browser, site, name, importsFile) => {
   }
 
   // --- looks ---
-  seen.axe = await findAxeViolations(page);
   await page.setViewportSize(NARROW);
+  seen.axe = await findAxeViolations(page);
   seen.sideways = await page.evaluate(
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
   );
@@ -138,9 +138,10 @@ async function findAxeViolations(page) {
   await page.addScriptTag({ path: require.resolve("axe-core/axe.min.js") });
   await page.locator(".exercise-output").first().waitFor();
   const found = [];
+  // without preload: it asks for style sheets, which a page from a file may not
   for (const theme of ["light", "dark"]) {
     await page.evaluate((wanted) => (document.documentElement.dataset.theme = wanted), theme);
-    const { violations } = await page.evaluate(() => window.axe.run("main"));
+    const { violations } = await page.evaluate(() => window.axe.run(".bd-article", { preload: false }));
     for (const { id, impact, nodes } of violations) {
       if (/serious|critical/.test(impact)) found.push(`${theme}: ${id}: ${nodes[0].html.slice(0, 200)}`);
     }

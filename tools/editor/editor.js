@@ -39,6 +39,7 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
           autocapitalize: "off",
           autocorrect: "off",
           spellcheck: "false",
+          tabindex: "0", // it can be reached anyway; this says so to whoever inspects the page
         }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) onChange(update.state.doc.toString());
