@@ -41,7 +41,7 @@ exercises: setup ## derive starters, check tables, pages, rubric, hints and the 
 student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
 	@$(RUN) tools/make_student.py
 
-test: setup ## run all tests, and every chapter as a notebook
+test: book ## run all tests, every page in a browser, every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
 
 lint: setup ## check style and types

@@ -93,6 +93,7 @@ PAGE_SOURCES = (
     "book/_ext",
     "book/_static",
     "_build/page_python.json",  # names every asset of Python in the page
+    "book/_templates",
     "_config.yml",
     "_toc.yml",
     "package-lock.json",

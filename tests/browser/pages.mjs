@@ -80,12 +80,20 @@ function inspect(widgets) {
     formulas: document.querySelectorAll(".math").length,
     typeset: document.querySelectorAll(".math mjx-container").length,
     formulaErrors: document.querySelectorAll("mjx-merror").length,
-    icons: iconsOf(document),
+    icons: icons(),
   };
 
-  function iconsOf(root) {
-    const classes = [...root.querySelectorAll("[class*='fa-']")].flatMap((e) => [...e.classList]);
-    return [...new Set(classes)].filter((name) => name.startsWith("fa-"));
+  /** What is drawn as a letter of an icon font: its font and its code, after all scripts. */
+  function icons() {
+    const found = new Set();
+    for (const element of document.querySelectorAll("body, body *")) {
+      for (const place of ["::before", "::after"]) {
+        const { content, fontFamily } = getComputedStyle(element, place);
+        const [letter] = content.match(/[\ue000-\uf8ff]/) ?? [];
+        if (letter) found.add(`${fontFamily.split(",")[0]} ${letter.codePointAt(0).toString(16)}`);
+      }
+    }
+    return [...found];
   }
 }
 

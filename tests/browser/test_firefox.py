@@ -1,0 +1,58 @@
+"""The pages work in Firefox too, as files and from a server."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.helpers import browser
+
+# one of each kind: cover, formulas, pictures, exercises, search; and all pages with widgets
+PAGES = (
+    "book/index",
+    "book/step2_intrinsics",
+    "book/step4_color",
+    "exercises/step4_color",
+    "search",
+)
+WIDGET = re.compile(r"widget-view\+json")
+
+
+def pages_to_open(folder):
+    """Choose the pages: the fixed ones, and every page that shows a widget."""
+    with_widgets = [
+        page
+        for page in browser.names_of_pages()
+        if WIDGET.search((folder / f"{page}.html").read_text(encoding="utf-8"))
+    ]
+    return list(dict.fromkeys([*PAGES, *with_widgets]))
+
+
+@pytest.fixture(scope="module", params=["file", "http"])
+def visits(request, firefox, student_pages, once):
+    """What a visitor with Firefox finds: {page: findings}."""
+    site = request.getfixturevalue(f"{request.param}_site")
+    return once(
+        f"firefox-{request.param}",
+        lambda: firefox("firefox.mjs", site, *pages_to_open(student_pages)),
+    )
+
+
+def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits):
+    assert {
+        page: visit["complaints"] for page, visit in visits.items() if visit["complaints"]
+    } == {}
+
+
+def test_firefox_draws_pictures_widgets_formulas_and_icons(visits):
+    for page, visit in visits.items():
+        assert visit["notDrawn"] == [], page
+        assert visit["drawn"] == visit["views"], page
+        assert visit["typeset"] == visit["formulas"], page
+        assert visit["iconFonts"], page
+        assert set(visit["iconFonts"]) == {"loaded"}, page
+
+
+def test_nothing_is_wider_than_a_narrow_phone_in_firefox(visits):
+    assert {page: visit["tooWide"] for page, visit in visits.items() if visit["tooWide"] > 0} == {}

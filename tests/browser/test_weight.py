@@ -1,0 +1,59 @@
+"""What a first visit costs, gzipped, as a server would send it; and what is left out."""
+
+from __future__ import annotations
+
+import base64
+import io
+import re
+
+import pytest
+from fontTools.ttLib import TTFont
+
+from tests.helpers import browser
+
+PLAIN_BUDGET = 0.9e6  # bytes; a few seconds on a slow phone line
+WIDGET_BUDGET = 2.3e6  # of which the widget manager alone is 0.9e6
+FONT = re.compile(r'font-family:"([^"]+)".*?base64,([^)]+)\)')
+
+
+@pytest.fixture(scope="module")
+def visits(chromium, http_site, once):
+    """The same visits that test_pages.py looks at."""
+    return once("pages-http", lambda: chromium("pages.mjs", http_site, *browser.names_of_pages()))
+
+
+@pytest.mark.parametrize("page", browser.names_of_pages())
+def test_a_first_visit_keeps_to_its_budget(visits, page):
+    visit = visits[page]
+    heaviest = sorted(visit["weights"].items(), key=lambda item: -item[1])[:6]
+    budget = WIDGET_BUDGET if visit["views"] else PLAIN_BUDGET
+    assert 0 < sum(visit["weights"].values()) <= budget, heaviest
+
+
+def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages):
+    sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
+    fonts = {
+        family: TTFont(io.BytesIO(base64.b64decode(data))).getBestCmap()
+        for family, data in FONT.findall(sheet)
+    }
+    drawn = {icon for visit in visits.values() for icon in visit["icons"]}
+    assert len(drawn) > 10  # or the page no longer says how it draws them
+    for icon in drawn:
+        family, code = icon.replace('"', "").rsplit(" ", 1)
+        assert int(code, 16) in fonts.get(family, {}), icon
+
+
+def test_the_icons_name_their_license(student_pages):
+    sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
+    assert "Font Awesome" in sheet
+    assert "CC BY 4.0" in sheet
+    assert "SIL OFL 1.1" in sheet
+
+
+def test_the_site_carries_no_files_that_no_page_uses(student_pages):
+    static = student_pages / "_static"
+    assert not list(static.rglob("*.map"))
+    assert not (static / "locales").exists()
+    assert not (static / "vendor" / "fontawesome").exists()
+    for page in student_pages.rglob("*.html"):
+        assert "fontawesome.js" not in page.read_text(encoding="utf-8"), page
