@@ -12,6 +12,7 @@
   let current = null; // the job that has the worker
   let worker = null;
   let booting = null; // a promise while Python loads, and after
+  let loadingText = ""; // how far that is
   let givenTables = new Set();
   let timer = 0;
 
@@ -122,7 +123,11 @@
     const job = queue.shift();
     current = job;
     try {
-      booting ??= boot((text) => current?.say(text));
+      if (booting) job.say(loadingText);
+      booting ??= boot((text) => {
+        loadingText = text;
+        current?.say(text);
+      });
       const table = loadAsset(data.tables[job.exercise]);
       await booting;
       const content = await table;

@@ -116,6 +116,7 @@ async function useKeyboard(page, name) {
   await page.keyboard.type("pass");
   const indented = await ui.getCode(page, name);
   await page.keyboard.press("Escape");
+  await page.waitForTimeout(2500); // longer than CodeMirror itself waits for the next key
   await page.keyboard.press("Tab");
   const next = await page.evaluate(() => document.activeElement.textContent);
   await page.keyboard.press("Shift+Tab");
@@ -141,7 +142,9 @@ async function findAxeViolations(page) {
   // without preload: it asks for style sheets, which a page from a file may not
   for (const theme of ["light", "dark"]) {
     await page.evaluate((wanted) => (document.documentElement.dataset.theme = wanted), theme);
-    const { violations } = await page.evaluate(() => window.axe.run(".bd-article", { preload: false }));
+    const { violations } = await page.evaluate(() => 
+      window.axe.run({ include: [[".exercise"], [".exercise-bar"]] }, { preload: false }),
+    );
     for (const { id, impact, nodes } of violations) {
       if (/serious|critical/.test(impact)) found.push(`${theme}: ${id}: ${nodes[0].html.slice(0, 200)}`);
     }

@@ -8,10 +8,20 @@ import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
 
+// observers, not handlers: Escape may also end a selection, and then no handler after that is asked
+const leaveWithTab = EditorView.domEventObservers({
+  keydown(event, view) {
+    if (event.key === "Escape") view.setTabFocusMode(true);
+    else if (event.key !== "Tab" && event.key !== "Shift") view.setTabFocusMode(false);
+  },
+  blur: (_event, view) => view.setTabFocusMode(false),
+});
+
 /**
  * Make an editor for Python.
  *
- * Tab indents. Escape, then Tab, leaves the editor: CodeMirror itself brings that.
+ * Tab indents. Escape, then Tab, leaves the editor. CodeMirror allows two seconds for that, and
+ * not while something is selected; here there is as much time as a reader needs.
  *
  * @param {object} options parent (element), text, label (for screen readers), describedBy (id of
  *   the help line), onChange(text) after the reader edits, onCheck() for Ctrl or Cmd and Enter
@@ -32,6 +42,7 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
         python(),
         syntaxHighlighting(classHighlighter),
         Prec.highest(keymap.of([check])),
+        leaveWithTab,
         keymap.of([indentWithTab, ...defaultKeymap, ...historyKeymap]),
         EditorView.contentAttributes.of({
           "aria-label": label,
