@@ -22,6 +22,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import pack_python
 import vendor_frontend
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -91,6 +92,7 @@ CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 PAGE_SOURCES = (
     "book/_ext",
     "book/_static",
+    "_build/page_python.json",  # names every asset of Python in the page
     "book/_templates",
     "_config.yml",
     "_toc.yml",
@@ -132,7 +134,7 @@ def main() -> int:
         print(f"book: {error}", file=sys.stderr)
         return 2
     edition.build.mkdir(parents=True, exist_ok=True)
-    if code := vendor_frontend.main([]):
+    if code := vendor_frontend.main([]) or pack_python.main():
         return code
     if edition.name == "instructor":
         # measures every mistake, which only this edition needs

@@ -40,7 +40,14 @@ MIN_SENTENCE = 50
 #: Texts in which a reader may look; everything else in a build is a picture or a font.
 TEXT = {".html", ".js", ".json", ".md", ".txt", ".py", ".yml", ".toml", ".xml", ".css", ".svg"}
 #: What the build takes from others: no text of ours.
-FOREIGN = ("_static/mathjax", "_static/widgets", "_static/vendor", "_static/scripts")
+FOREIGN = (
+    "_static/mathjax",
+    "_static/widgets",
+    "_static/vendor",
+    "_static/scripts",
+    "_static/python/vendor",
+    "_static/python/editor.js",
+)
 NAMELESS = {"_answer_with", "_visible", "_hidden", "EXERCISE"}
 
 

@@ -1,0 +1,83 @@
+// The bar above the exercises of a page: how many are solved, and the progress as a file, the same
+// that a notebook writes and reads.
+(function () {
+  const { progress, python } = window.cameraLab;
+
+  function makeButton(text, onClick) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = text;
+    button.addEventListener("click", onClick);
+    return button;
+  }
+
+  /** Say how many are solved; returns {solved, total}. */
+  function count(names) {
+    const records = progress.load();
+    const solved = names.filter((name) => records.get(name)?.passed).length;
+    return { solved, total: names.length };
+  }
+
+  function exportFile() {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([progress.text()], { type: "application/json" }));
+    link.download = progress.FILE_NAME;
+    link.click();
+    // the download begins after this
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    return `Saved as ${progress.FILE_NAME}: put it beside your notebook, or import it elsewhere.`;
+  }
+
+  async function importFile(file) {
+    try {
+      const records = progress.parse(await file.text());
+      progress.merge(records);
+      const kept = progress.isKept() ? "" : " This browser keeps it only until you leave.";
+      return `Imported: ${records.size} exercises. What was solved before stays solved.${kept}`;
+    } catch (error) {
+      return `${file.name} is no progress file: ${error.message}. Nothing was changed.`;
+    }
+  }
+
+  function build(bar) {
+    const names = Object.keys(python.data.exercises);
+    const meter = document.createElement("progress");
+    const text = document.createElement("span");
+    const status = document.createElement("p");
+    status.setAttribute("role", "status");
+    meter.max = names.length;
+    meter.setAttribute("aria-label", "Solved exercises of this page");
+    text.className = "exercise-count";
+
+    const draw = () => {
+      const { solved, total } = count(names);
+      meter.value = solved;
+      text.textContent = `${solved} of ${total} solved on this page`;
+    };
+    const input = document.createElement("input");
+    input.type = "file";
+    input.accept = ".json,application/json";
+    input.hidden = true;
+    input.addEventListener("change", async () => {
+      if (input.files.length) status.textContent = await importFile(input.files[0]);
+      input.value = ""; // the same file may be chosen again
+    });
+    const buttons = document.createElement("span");
+    buttons.className = "exercise-buttons";
+    buttons.append(
+      makeButton("Export", () => (status.textContent = exportFile())),
+      makeButton("Import", () => input.click()),
+      input,
+    );
+    bar.append(meter, text, buttons, status);
+    bar.hidden = false;
+    draw();
+    document.addEventListener("camera-lab-progress", draw);
+    window.addEventListener("storage", draw); // another tab
+  }
+
+  document.addEventListener("DOMContentLoaded", () => {
+    const bar = document.querySelector(".exercise-bar");
+    if (bar) build(bar);
+  });
+})();

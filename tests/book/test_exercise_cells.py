@@ -1,0 +1,191 @@
+"""Exercise cells on the built pages: plain without scripts, and all that the scripts need."""
+
+import json
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from docutils import nodes
+from docutils.frontend import get_default_settings
+from docutils.utils import new_document
+from sphinx.errors import ExtensionError
+
+from labutils.checks.progress import MAX_HINTS, VERSION
+from labutils.checks.table import load_table, read_words
+from tests.book.test_build_config import load
+
+ROOT = Path(__file__).resolve().parents[2]
+HTML = ROOT / "_build" / "html"
+EXERCISES = read_words()
+IN_PAGE = [name for name in EXERCISES if not load_table(name).needs_mujoco]
+IN_NOTEBOOK = [name for name in EXERCISES if name not in IN_PAGE]
+DATA = re.compile(r'<script type="application/json" id="exercise-data">(.*?)</script>', re.DOTALL)
+
+
+@pytest.fixture
+def hook(monkeypatch):
+    return load("book/_ext/exercise_cells.py", monkeypatch)
+
+
+@pytest.fixture(scope="module")
+def pages():
+    if not (HTML / "index.html").is_file() or not (HTML / "_static" / "python").is_dir():
+        pytest.skip("the book is not built; run `make book` first")
+    return {path.stem: path.read_text() for path in sorted((HTML / "exercises").glob("*.html"))}
+
+
+@pytest.fixture(scope="module")
+def data(pages):
+    return {name: json.loads(DATA.search(page)[1]) for name, page in pages.items()}
+
+
+def make_tree(*exercises):
+    """Make a page as MyST leaves it: per exercise a cell, its check, a comment and a hint."""
+    tree = new_document("page", get_default_settings())
+    top = nodes.section()
+    tree += top
+    for name, checked in exercises:
+        section = nodes.section()
+        section += nodes.container(
+            "", nodes.literal_block("", ""), classes=["cell", "tag_exercise"]
+        )
+        code = nodes.literal_block("", f'check("{name}", {checked})')
+        section += nodes.container("", code, classes=["cell"])
+        section += nodes.comment("", "end")
+        section += nodes.container("", nodes.paragraph("", "hint"), classes=["dropdown"])
+        top += section
+    return tree
+
+
+def make_app():
+    domain = SimpleNamespace(labels={}, anonlabels={})
+    return SimpleNamespace(
+        builder=SimpleNamespace(format="html", get_relative_uri=lambda *_: "../book/start.html"),
+        env=SimpleNamespace(get_domain=lambda _: domain),
+    )
+
+
+def get_raw(tree):
+    return [node.astext() for node in tree.findall(nodes.raw)]
+
+
+def test_the_parts_of_an_exercise_are_marked(hook):
+    tree = make_tree(("process_depth", "process_depth"))
+    hook.mark_cells(make_app(), tree, "exercises/page")
+    assert tree["exercises"] == ["process_depth"]
+    (section,) = list(tree.findall(nodes.section))[1:]
+    mount, cell, check, _, hint = section.children
+    assert 'data-exercise="process_depth" hidden' in mount.astext()
+    assert "exercise-source-process_depth" in cell["classes"]
+    assert "exercise-check-process_depth" in check["classes"]
+    assert "exercise-hint-process_depth" in hint["classes"]
+    assert "exercise-bar" in tree.children[0].children[0].astext()
+
+
+def test_an_exercise_that_needs_mujoco_gets_a_note_and_no_editor(hook):
+    tree = make_tree(("render_camera", "render_camera"))
+    hook.mark_cells(make_app(), tree, "exercises/page")
+    assert "no browser has" in get_raw(tree)[1]
+    assert 'href="../_sources/exercises/page.ipynb"' in get_raw(tree)[1]
+    assert "data-exercise" not in "".join(get_raw(tree))
+
+
+def test_a_page_without_exercises_stays_as_it_is(hook):
+    tree = make_tree()
+    hook.mark_cells(make_app(), tree, "book/page")
+    assert tree["exercises"] == []
+    assert get_raw(tree) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "checked"),
+    [("process_depth", "something_else"), ("no_such_exercise", "no_such_exercise")],
+)
+def test_a_cell_without_its_check_stops_the_build(hook, name, checked):
+    tree = make_tree((name, checked))
+    with pytest.raises(ExtensionError, match=r"expected check\(.*after a cell tagged exercise"):
+        hook.mark_cells(make_app(), tree, "exercises/page")
+
+
+def test_a_link_of_a_check_that_leads_nowhere_stops_the_build(hook):
+    with pytest.raises(ExtensionError, match=r"process_depth: its check links to .*, which is"):
+        hook.get_titles(make_app(), ["process_depth"])
+
+
+def test_other_formats_than_html_are_left_alone(hook):
+    tree = make_tree(("process_depth", "process_depth"))
+    hook.mark_cells(SimpleNamespace(builder=SimpleNamespace(format="latex")), tree, "page")
+    assert get_raw(tree) == []
+
+
+def test_every_exercise_has_an_editor_or_a_note(pages):
+    mounted = [
+        name
+        for page in pages.values()
+        for name in re.findall(r'data-exercise="(\w+)" hidden', page)
+    ]
+    assert sorted(mounted) == sorted(IN_PAGE)
+    notes = "".join(pages.values()).count('class="exercise-note"')
+    assert notes == len(IN_NOTEBOOK)
+
+
+def test_without_scripts_the_exercise_can_be_read(pages):
+    text = "".join(re.sub(r"<[^<>]*>", "", page) for page in pages.values())
+    for name in EXERCISES:
+        assert f"def {name}(" in text
+        assert f'check("{name}", {name})' in text
+    for page in pages.values():
+        for element in re.findall(r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>", page):
+            assert "hidden" not in element
+
+
+def test_the_notebook_of_a_note_is_there(pages):
+    for page in pages.values():
+        for note in re.findall(r'class="exercise-note">.*?</p>', page):
+            for link in re.findall(r'href="([^"]+)"', note):
+                assert (HTML / "exercises" / link).is_file()
+
+
+def test_pages_know_hints_tables_and_titles(data):
+    names = [name for page in data.values() for name in page["exercises"]]
+    assert sorted(names) == sorted(EXERCISES)
+    for page in data.values():
+        assert sorted(page["tables"]) == sorted(set(page["exercises"]) & set(IN_PAGE))
+        for name, known in page["exercises"].items():
+            assert known["hints"] == EXERCISES[name]["hints"]
+            assert len(known["hints"]) == MAX_HINTS
+            assert page["titles"][EXERCISES[name]["section"]]
+
+
+def test_links_of_verdicts_lead_to_a_place(data):
+    for page in data.values():
+        for link in page["titles"]:
+            target, _, anchor = link.partition("#")
+            assert f'id="{anchor}"' in (HTML / "exercises" / target).read_text()
+
+
+def test_every_asset_a_page_names_is_there(data):
+    for page in data.values():
+        for asset in (*page["assets"], *page["tables"].values()):
+            for file in asset["files"]:
+                assert (HTML / "exercises" / page["base"] / file).is_file()
+    assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
+
+
+def test_only_pages_with_exercises_load_the_scripts(pages):
+    scripts = ("editor.js", "progress.js", "python.js", "exercises.js", "exercise_bar.js")
+    for page in pages.values():
+        places = [page.index(f"_static/python/{name}") for name in scripts]
+        assert places == sorted(places)
+        assert "_static/python/vendor" not in re.sub(DATA, "", page)  # only on a click
+    others = [path for path in HTML.rglob("*.html") if path.parent.name != "exercises"]
+    assert others
+    for path in others:
+        assert "_static/python" not in path.read_text(), path
+
+
+def test_the_page_counts_hints_and_versions_like_the_library():
+    script = (ROOT / "book" / "_page_python" / "progress.js").read_text()
+    assert f"const MAX_HINTS = {MAX_HINTS};" in script
+    assert f"const VERSION = {VERSION};" in script

@@ -1,0 +1,129 @@
+"""What runs the reader's code on the page: fresh namespaces, short tracebacks, the progress file.
+
+The module runs in a browser, but needs nothing of one: here it runs in this Python.
+"""
+
+import importlib.util
+import json
+import warnings
+from pathlib import Path
+
+import pytest
+
+from labutils.checks.progress import Progress, Record, load_progress, save_progress
+
+ROOT = Path(__file__).resolve().parents[2]
+NAME = "find_object_centroid"
+WRONG = f"def {NAME}(mask):\n    print('looking')\n    return (0, 0)\n"
+
+
+@pytest.fixture(scope="module")
+def runner():
+    path = ROOT / "book" / "_page_python" / "page_runner.py"
+    spec = importlib.util.spec_from_file_location("page_runner", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def run(runner, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return lambda code, name=NAME, progress="": json.loads(runner.run(code, name, progress))
+
+
+def make_progress(folder, **records):
+    save_progress(Progress(dict(records)), folder)
+    return (folder / "labutils-progress.json").read_text()
+
+
+def test_a_wrong_answer_gets_the_verdict_of_the_notebook(run):
+    said = run(WRONG)
+    assert said["result"] == "failed"
+    assert said["headline"] == f"{NAME}: not yet (type)"
+    assert said["headline"] in said["html"]
+    assert "Case" in said["html"]
+    assert said["printed"].splitlines()[0] == "looking"
+    assert said["error"] == ""
+
+
+def test_the_progress_file_before_is_counted_on(run, tmp_path):
+    before = make_progress(tmp_path, **{NAME: Record(attempts=4, hints=2, passed=True)})
+    said = run(WRONG, progress=before)
+    (tmp_path / "labutils-progress.json").write_text(said["progress"])
+    record = load_progress(tmp_path).records[NAME]
+    assert (record.attempts, record.hints, record.passed) == (5, 2, True)
+
+
+def test_without_a_progress_file_an_older_one_is_not_taken(run, tmp_path):
+    make_progress(tmp_path, **{NAME: Record(attempts=4)})
+    assert json.loads(run(WRONG)["progress"])["exercises"][NAME]["attempts"] == 1
+
+
+def test_a_starter_leaves_no_trace_in_the_progress(run):
+    said = run(f"def {NAME}(mask):\n    raise NotImplementedError\n")
+    assert said["result"] == "failed"
+    assert "Not started yet." in said["html"]
+    assert said["progress"] == ""
+
+
+def test_every_check_has_a_namespace_of_its_own(run):
+    assert run(f"seen = 1\n{WRONG}")["result"] == "failed"
+    said = run(f"print('seen' in globals())\n{WRONG}")
+    assert said["printed"].startswith("False\n")
+
+
+def test_the_names_of_the_first_cell_are_there_as_in_the_notebook(run):
+    said = run(f"assert check and hint and report\n{WRONG}")
+    assert said["error"] == ""
+
+
+def test_a_traceback_names_only_the_lines_of_the_reader(run):
+    said = run("import json\n\ndef load(text):\n    return json.loads(text)\n\nload('{')\n")
+    assert said["result"] == "error"
+    lines = said["error"].splitlines()
+    assert lines[:3] == [
+        "In your code:",
+        "  line 6: load('{')",
+        "  line 4 in load: return json.loads(text)",
+    ]
+    assert lines[3].startswith("json.decoder.JSONDecodeError: Expecting property name")
+    assert len(lines) == 4
+
+
+def test_a_slip_of_the_pen_names_its_line(run):
+    said = run("x = 1\nif x\n    y = 2\n")
+    assert said["result"] == "error"
+    assert said["error"].splitlines()[0].strip() == "line 2"
+    assert "SyntaxError: expected ':'" in said["error"]
+
+
+def test_an_exception_in_a_check_names_the_line_of_the_reader(run):
+    said = run(f"def {NAME}(mask):\n    return mask.nothing\n")
+    assert said["result"] == "failed"
+    assert "in your line 2: return mask.nothing" in said["html"]
+
+
+def test_a_function_of_another_name_is_asked_back(run):
+    said = run("def find_center(mask):\n    return None\n")
+    assert said["error"] == f"Your code has no function {NAME}: keep its name as it was."
+
+
+@pytest.mark.parametrize("ending", ["raise SystemExit('enough')", "raise KeyboardInterrupt"])
+def test_nothing_the_reader_raises_ends_python(run, ending):
+    said = run(f"print('before')\n{ending}\n")
+    assert said["result"] == "error"
+    assert said["printed"] == "before\n"
+    assert ending.split()[1].partition("(")[0] in said["error"]
+
+
+def test_what_a_loop_prints_is_cut(run, runner):
+    said = run("for n in range(100_000):\n    print(n)\n" + WRONG)
+    assert len(said["printed"]) < runner.MAX_PRINTED + 100
+    assert said["printed"].count("(more was printed than can be shown)") == 1
+
+
+def test_a_filter_for_warnings_ends_with_its_check(run):
+    before = list(warnings.filters)
+    run(f"import warnings\nwarnings.simplefilter('ignore')\n{WRONG}")
+    assert list(warnings.filters) == before

@@ -1,0 +1,29 @@
+// Checks every exercise of a page with the answers of a plan: node exercises.mjs SITE PAGE PLAN
+//
+// PLAN is a file {setup, exercises: {name: {reference, wrong}}}; `setup` is code that runs before.
+// Without a plan only the starter of the first exercise is checked. Prints, per exercise, what was
+// said to the starter, to the reference and to the wrong answer; and what went wrong on the page.
+
+import { readFileSync } from "node:fs";
+import { main, openPage } from "./_browser.mjs";
+import { check, listExercises, setCode } from "./_exercises.mjs";
+
+await main(async (browser, site, name, planFile) => {
+  const { page, complaints } = await openPage(browser, site, name);
+  const names = await listExercises(page);
+  const said = {};
+  if (!planFile) {
+    said[names[0]] = { starter: await check(page, names[0]) };
+    return { said, complaints: [...complaints] };
+  }
+  const plan = JSON.parse(readFileSync(planFile, "utf8"));
+  for (const exercise of names) said[exercise] = { starter: await check(page, exercise) };
+  const setup = await check(page, names[0], plan.setup);
+  for (const exercise of names) {
+    const { reference, wrong } = plan.exercises[exercise];
+    said[exercise].wrong = await check(page, exercise, wrong);
+    said[exercise].reference = await check(page, exercise, reference);
+    await setCode(page, exercise, "");
+  }
+  return { said, setup, complaints: [...complaints] };
+});

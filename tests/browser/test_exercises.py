@@ -1,0 +1,119 @@
+"""Every exercise that a browser can check: the starter, the reference and a known mistake."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+from pack_python import list_page_exercises
+
+from labutils.checks.table import load_table
+from solutions import load_exercises
+from tests.helpers import browser
+
+pytestmark = pytest.mark.slow
+
+ROOT = Path(__file__).resolve().parents[2]
+CHAPTERS = {card.step: card.chapter for card in load_exercises().values()}
+CARDS = {name: load_exercises()[name] for name in list_page_exercises()}
+
+# The cards import MuJoCo where they make cases; answering needs none of it.
+SETUP = """
+import base64, io, sys, types, zipfile
+zipfile.ZipFile(io.BytesIO(base64.b64decode("{cards}"))).extractall("/tmp/cards")
+sys.path.insert(0, "/tmp/cards")
+sys.modules["mujoco"] = types.ModuleType("mujoco")
+import labutils.camera_utils
+from solutions import load_exercises
+load_exercises()
+del sys.modules["mujoco"]
+print("ready")
+"""
+ANSWER = """
+from solutions import load_exercises
+
+{name} = load_exercises()["{name}"].make_wrong({made})
+"""
+
+
+@pytest.fixture(scope="module")
+def plan(tmp_path_factory):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted((ROOT / "solutions").glob("*.py")):
+            archive.write(path, f"solutions/{path.name}")
+    exercises = {
+        name: {
+            "reference": ANSWER.format(name=name, made=()),
+            "wrong": ANSWER.format(name=name, made=(card.misconceptions[0].name,)),
+        }
+        for name, card in CARDS.items()
+    }
+    cards = base64.b64encode(buffer.getvalue()).decode()
+    path = tmp_path_factory.mktemp("plan") / "plan.json"
+    path.write_text(json.dumps({"setup": SETUP.format(cards=cards), "exercises": exercises}))
+    return path
+
+
+@pytest.fixture(scope="module")
+def packed(student_pages):
+    """The pages, with NumPy and OpenCV in them."""
+    manifest = ROOT / "_build" / "page_python.json"
+    if not manifest.is_file() or not (student_pages / "_static" / "python").is_dir():
+        browser.give_up("Python in the page is not packed; run `make book` first")
+    if json.loads(manifest.read_text())["remote"]:
+        browser.give_up("no wheels: the pages load NumPy and OpenCV from the CDN")
+
+
+@pytest.fixture(scope="module", params=sorted(CHAPTERS))
+def step(request, chromium, file_site, plan, packed):  # noqa: ARG001 - what it needs to run
+    """One page with all its exercises, opened from a file."""
+    return request.param, chromium("exercises.mjs", file_site, page_of(request.param), plan)
+
+
+def page_of(step):
+    return f"exercises/{CHAPTERS[step]}"
+
+
+def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(step):
+    number, done = step
+    assert done["complaints"] == []
+    assert "ready" in done["setup"]["text"]
+    names = [name for name, card in CARDS.items() if card.step == number]
+    assert sorted(done["said"]) == sorted(names)
+    for name in names:
+        said = done["said"][name]
+        assert said["starter"]["result"] == "failed", name
+        assert "Not started yet." in said["starter"]["text"]
+        assert said["reference"]["result"] == "passed", (name, said["reference"])
+        visible = len(load_table(name).cases)
+        assert f"All {visible} visible cases agree." in said["reference"]["text"]
+        assert said["wrong"]["result"] == "failed", name
+        mistake = CARDS[name].misconceptions[0]
+        assert f"Recognized: {mistake.text}" in said["wrong"]["text"], name
+        # "Read again" carries the heading, not the address
+        assert ".html" not in said["wrong"]["text"]
+
+
+def test_wrong_answers_that_can_be_drawn_show_a_picture(step):
+    _, done = step
+    pictures = [said["wrong"]["pictures"] for said in done["said"].values()]
+    assert any(pictures)
+
+
+def test_from_a_server_python_works_as_well(chromium, http_site, packed):  # noqa: ARG001
+    done = chromium("exercises.mjs", http_site, page_of(3))
+    (said,) = done["said"].values()
+    assert said["starter"]["result"] == "failed"
+    assert "Not started yet." in said["starter"]["text"]
+    assert done["complaints"] == []
+
+
+def test_python_works_in_firefox_too(firefox, site, packed):  # noqa: ARG001
+    done = firefox("exercises_firefox.mjs", site, page_of(3))
+    assert "Not started yet." in done["text"]
+    assert done["complaints"] == []

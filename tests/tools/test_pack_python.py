@@ -1,0 +1,205 @@
+"""What the pages load for Python: packed alike every time, small, and with nothing secret in it."""
+
+import base64
+import gzip
+import io
+import json
+import re
+import zipfile
+from pathlib import Path
+
+import pack_python
+import page_wheels
+import pytest
+import vendor_frontend
+import vendor_python
+
+from labutils.checks.table import load_table, read_words
+from solutions import load_exercises
+from tests.helpers.leaks import collect_secrets, find_leaks, read_document
+
+ROOT = Path(__file__).resolve().parents[2]
+REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
+BUDGET = 13_000_000  # bytes, gzipped, on the first click
+PIECE = re.compile(r'cameraLabAsset\("([^"]+)",(\d+),"([A-Za-z0-9+/=]*)"\);\n')
+
+
+def unpack(folder, asset):
+    """Put an asset together as the page does."""
+    pieces = []
+    for number, file in enumerate(asset["files"]):
+        name, place, text = PIECE.fullmatch((folder / file).read_text()).groups()
+        assert (name, int(place)) == (asset["name"], number)
+        pieces.append(base64.b64decode(text))
+    assert sum(map(len, pieces)) == asset["bytes"]
+    return gzip.decompress(b"".join(pieces))
+
+
+def make_wheel(path, **extra):
+    names = ["pkg/__init__.py", "pkg/tests/test_x.py", "pkg/_core/include/x.h", "pkg/x.pyi"]
+    names += ["pkg/f2py/__init__.py", "pkg/f2py/rules.py", "pkg/lib.so"]
+    members = dict.fromkeys(names, "x") | {"pkg-1.dist-info/licenses/LICENSE.txt": "Free."} | extra
+    with zipfile.ZipFile(path, "w") as wheel:
+        for name, content in members.items():
+            wheel.writestr(name, content)
+    return path
+
+
+@pytest.fixture(autouse=True)
+def place(tmp_path, monkeypatch):
+    """Pack into a folder of the test, from a small stand-in for Pyodide and its wheels."""
+    vendor = tmp_path / "vendor"
+    vendor.mkdir()
+    for name in (*vendor_python.CORE, vendor_python.EDITOR, vendor_python.EDITOR_LICENSES):
+        (vendor / name).write_bytes(name.encode() * 1000)
+    (vendor / vendor_python.STAMP).write_text("1")
+    (vendor / vendor_python.LOCK).write_text('{"info": {"python": "3.14.2"}, "packages": {}}')
+    monkeypatch.setattr(vendor_python, "VENDOR", vendor)
+    monkeypatch.setattr(pack_python, "PACKED", tmp_path / "packed")
+    monkeypatch.setattr(pack_python, "MANIFEST", tmp_path / "packed.json")
+    return tmp_path
+
+
+@pytest.fixture
+def wheels(tmp_path):
+    files = {name: make_wheel(tmp_path / f"{name}-1-x.whl") for name in ("numpy", "cv2")}
+    return page_wheels.Wheels("a test", files)
+
+
+def read_all(folder):
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
+
+
+def test_two_builds_give_the_same_bytes(wheels):
+    first = pack_python.pack(wheels, "1.0")
+    before = read_all(pack_python.PACKED)
+    for path in wheels.files.values():
+        make_wheel(path)  # the same content with other times
+    pack_python.MANIFEST.unlink()
+    again = pack_python.pack(wheels, "1.0")
+    assert read_all(pack_python.PACKED) == before
+    assert {**first, "version": ""} == {**again, "version": ""}
+
+
+def test_nothing_is_packed_twice_and_a_change_is_seen(wheels, monkeypatch):
+    manifest = pack_python.pack(wheels, "1.0")
+    with monkeypatch.context() as patch:
+        patch.setattr(pack_python, "write_asset", lambda *_: pytest.fail("packed again"))
+        assert pack_python.pack(wheels, "1.0") == manifest
+    make_wheel(wheels.files["cv2"], **{"pkg/new.py": "y"})
+    assert pack_python.pack(wheels, "1.0")["version"] != manifest["version"]
+
+
+def test_a_large_asset_comes_in_pieces(place):
+    content = bytes(range(256)) * 20_000
+    noise = gzip.compress(content, 0)  # about as large as before
+    asset = pack_python.write_asset(place, "x.bin", noise[: pack_python.PIECE] + noise)
+    assert unpack(place, asset) == noise[: pack_python.PIECE] + noise
+
+
+def test_wheels_lose_what_no_reader_needs(wheels):
+    with zipfile.ZipFile(io.BytesIO(pack_python.trim_wheel(wheels.files["cv2"]))) as archive:
+        assert archive.namelist() == ["pkg/__init__.py", "pkg/f2py/__init__.py", "pkg/lib.so"]
+
+
+def test_licenses_are_shipped_beside_the_assets(wheels):
+    pack_python.pack(wheels, "1.0")
+    licenses = read_all(pack_python.PACKED / "python" / "licenses")
+    assert set(licenses) == {
+        "NOTICE.txt",
+        "cv2-licenses.txt",
+        "editor-licenses.txt",
+        "numpy-licenses.txt",
+    }
+    assert b"Free." in licenses["numpy-licenses.txt"]
+    assert b"https://mozilla.org/MPL/2.0/" in licenses["NOTICE.txt"]
+
+
+def test_wheels_that_could_not_be_had_are_left_to_the_page():
+    remote = (page_wheels.RemoteWheel("numpy", "https://cdn.example/numpy.whl", "ab"),)
+    manifest = pack_python.pack(page_wheels.Wheels("nobody", remote=remote), "1.0")
+    assert manifest["remote"] == [
+        {"name": "numpy", "url": "https://cdn.example/numpy.whl", "sha256": "ab"}
+    ]
+    assert not [asset for asset in manifest["assets"] if "numpy" in asset["name"]]
+
+
+def test_the_library_is_the_one_of_the_notebook(wheels):
+    manifest = pack_python.pack(wheels, "1.0")
+    (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
+    with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
+        names = archive.namelist()
+        for name in names:
+            assert archive.read(name) == (ROOT / name).read_bytes()
+    assert {"labutils/__init__.py", "labutils/checks/gates.py"} <= set(names)
+    assert "labutils/checks/tables/exercises.json" in names
+    assert not [name for name in names if name.endswith(".npz")]
+
+
+def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels):
+    manifest = pack_python.pack(wheels, "1.0")
+    folder = pack_python.PACKED / "python"
+    for name in read_words():
+        assert (name in manifest["tables"]) != load_table(name).needs_mujoco, name
+    for name, asset in manifest["tables"].items():
+        tables = ROOT / "labutils" / "checks" / "tables"
+        assert unpack(folder, asset) == (tables / f"{name}.npz").read_bytes()
+
+
+def test_what_is_ours_in_the_assets_holds_no_leak(wheels):
+    manifest = pack_python.pack(wheels, "1.0")
+    ours = [asset for asset in manifest["assets"] if not asset["name"].startswith("vendor/")]
+    assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page_runner.py"}
+    folder = pack_python.PACKED / "python"
+    documents = []
+    for asset in (*ours, *manifest["tables"].values()):
+        documents += read_document(asset["name"], unpack(folder, asset))
+    assert len(documents) > len(manifest["tables"])
+    assert find_leaks(collect_secrets(load_exercises().values()), documents) == []
+
+
+def test_a_first_click_loads_less_than_its_budget():
+    if not REAL_MANIFEST.is_file():
+        pytest.skip("Python in the page is not packed; run `make book` first")
+    manifest = json.loads(REAL_MANIFEST.read_text())
+    if manifest["remote"]:
+        pytest.skip("NumPy and OpenCV are loaded from the CDN: nobody knows their size here")
+    every = [*manifest["assets"], *manifest["tables"].values()]
+    for asset in every:
+        unpack(REAL_PACKED / "python", asset)  # has the size that the manifest says
+    largest = max(asset["bytes"] for asset in manifest["tables"].values())
+    assert manifest["bytes"] + largest < BUDGET
+
+
+def test_the_editor_is_made_of_locked_packages():
+    closure = vendor_python.list_closure(vendor_python.EDITOR_PACKAGES)
+    assert {"@codemirror/view", "@lezer/python", "style-mod"} <= set(closure)
+    for name in closure:
+        assert vendor_frontend._locked(name)["integrity"].startswith("sha512-")
+
+
+def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
+    entry = place / "entry.js"
+    entry.write_text("import { nothing } from 'nowhere';")
+    monkeypatch.setattr(vendor_python, "ENTRY", entry)
+    if not (vendor_python.ROOT / "_build" / "vendor_python").is_dir():
+        pytest.skip("the packages are not there; run `make book` first")
+    names = [vendor_python.BUNDLER]
+    try:
+        tarballs = vendor_frontend._fetch(names)
+    except vendor_frontend.VendorError as error:
+        pytest.skip(f"no network: {error}")
+    with pytest.raises(vendor_frontend.VendorError, match=r"could not be bundled.*nowhere"):
+        vendor_python._bundle_editor(tarballs, place)
+
+
+def test_without_npm_and_without_older_files_the_build_stops(monkeypatch, capsys):
+    def fail(_names):
+        raise vendor_frontend.VendorError("npm could not fetch pyodide")
+
+    monkeypatch.setattr(vendor_frontend, "_fetch", fail)
+    assert "going on with the older files" in vendor_python.vendor()
+    (vendor_python.VENDOR / vendor_python.STAMP).unlink()
+    assert pack_python.main() == 1
+    assert "python in the page: npm could not fetch pyodide" in capsys.readouterr().err

@@ -1,0 +1,67 @@
+// The editor of the exercise cells: the entry that esbuild bundles into one script, whose global is
+// `cameraLabEditor` (see tools/vendor_python.py). Colors are classes; exercises.css gives them.
+
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { python } from "@codemirror/lang-python";
+import { bracketMatching, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import { EditorState, Prec } from "@codemirror/state";
+import { EditorView, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { classHighlighter } from "@lezer/highlight";
+
+// observers, not handlers: Escape may also end a selection, and then no handler after that is asked
+const leaveWithTab = EditorView.domEventObservers({
+  keydown(event, view) {
+    if (event.key === "Escape") view.setTabFocusMode(true);
+    else if (event.key !== "Tab" && event.key !== "Shift") view.setTabFocusMode(false);
+  },
+  blur: (_event, view) => view.setTabFocusMode(false),
+});
+
+/**
+ * Make an editor for Python.
+ *
+ * Tab indents. Escape, then Tab, leaves the editor. CodeMirror allows two seconds for that, and
+ * not while something is selected; here there is as much time as a reader needs.
+ *
+ * @param {object} options parent (element), text, label (for screen readers), describedBy (id of
+ *   the help line), onChange(text) after the reader edits, onCheck() for Ctrl or Cmd and Enter
+ */
+export function createEditor({ parent, text, label, describedBy, onChange, onCheck }) {
+  const check = { key: "Mod-Enter", run: () => (onCheck(), true) };
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        lineNumbers(), // the lines a traceback names
+        highlightActiveLineGutter(),
+        history(),
+        indentUnit.of("    "),
+        indentOnInput(),
+        bracketMatching(),
+        python(),
+        syntaxHighlighting(classHighlighter),
+        Prec.highest(keymap.of([check])),
+        leaveWithTab,
+        keymap.of([indentWithTab, ...defaultKeymap, ...historyKeymap]),
+        EditorView.contentAttributes.of({
+          "aria-label": label,
+          "aria-describedby": describedBy,
+          autocapitalize: "off",
+          autocorrect: "off",
+          spellcheck: "false",
+          tabindex: "0", // it can be reached anyway; this says so to whoever inspects the page
+        }),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) onChange(update.state.doc.toString());
+        }),
+      ],
+    }),
+  });
+  return {
+    getText: () => view.state.doc.toString(),
+    setText: (value) =>
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: value } }),
+    focus: () => view.focus(),
+  };
+}
