@@ -58,6 +58,8 @@ check: lint test ## what CI runs
 bench: setup ## measure speed as ratios against named peers
 	@$(RUN) tools/bench.py
 	@$(RUN) tools/bench_checks.py
+	@$(RUN) tools/bench_explorers.py
+	@$(RUN) tools/bench_page_python.py
 
 lock: setup ## write requirements.txt anew from requirements.in
 	@$(RUN) -m uv pip compile requirements.in --universal --python-version 3.11 \
