@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -32,6 +33,19 @@ def firefox() -> Callable[..., Any]:
 def student_pages() -> Path:
     """The folder of the built pages."""
     return browser.require_pages()
+
+
+@pytest.fixture(scope="session")
+def page_python(student_pages: Path) -> dict[str, Any]:
+    """What is packed of Python in the page, NumPy and OpenCV included."""
+    path = browser.ROOT / "_build" / "page_python.json"
+    if not path.is_file() or not (student_pages / "_static" / "python").is_dir():
+        browser.give_up("Python in the page is not packed; run `make book` first")
+    manifest: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    if manifest["remote"]:
+        # not the browser's absence: without wheels the pages are as they should be, only untested
+        pytest.skip("no wheels for Python in the page; CAMERA_LAB_WHEELS names their folder")
+    return manifest
 
 
 @pytest.fixture(scope="session")

@@ -58,7 +58,9 @@ async function use(page, box) {
       await note(label, step);
       moves.at(-1).shown = Number(await handle.getAttribute("aria-valuetext"));
     }
-    await drag(page, handle); // a range whose ends meet would shut its other handle in
+    // out of the way: a range whose ends meet would shut its other handle in
+    const isHigh = /, high$/.test(label);
+    await press(page, handle, isHigh ? "End" : "Home");
   }
   for (const button of await box.locator(".widget-toggle-button").all()) {
     await button.press("Enter");
@@ -88,13 +90,23 @@ async function press(page, element, ...keys) {
 
 /** Drags a handle to the middle of its slider. */
 async function drag(page, handle) {
-  await handle.hover(); // waits until the handle stands still
-  const box = await handle.boundingBox();
+  const box = await waitUntilStill(page, handle);
   const slider = await handle.locator("xpath=ancestor::*[@class and contains(@class,'noUi-base')]");
   const middle = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.mouse.down();
   await page.mouse.move(middle.x + middle.width / 2, box.y + box.height / 2, { steps: 3 });
   await page.mouse.up();
+}
+
+/** Where an element is, once two frames agree on it. */
+async function waitUntilStill(page, element) {
+  for (let before = await element.boundingBox(); ; ) {
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    const now = await element.boundingBox();
+    if (now.x === before.x && now.y === before.y) return now;
+    before = now;
+  }
 }
 
 /** What the explorer says, once it has drawn what was last asked of it. */

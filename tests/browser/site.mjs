@@ -37,7 +37,9 @@ async function switchTheme(browser, site) {
   await page.goto(new URL("book/glossary.html", site).href);
   const elsewhere = await look();
   await close(tab);
-  return { before, seen, after, reloaded, elsewhere, complaints: [...complaints] };
+  // leaving a page ends what it still loads, which is nobody's fault
+  const lasting = [...complaints].filter((one) => !one.endsWith("net::ERR_ABORTED"));
+  return { before, seen, after, reloaded, elsewhere, complaints: lasting };
 }
 
 /** Types a word into the sidebar's search, as a reader does, and follows the first result. */

@@ -13,7 +13,6 @@ import pytest
 from labutils import hint
 from labutils.checks.progress import Progress, Record, load_progress, save_progress
 from labutils.checks.table import read_words
-from tests.helpers import browser
 
 pytestmark = pytest.mark.slow
 
@@ -22,17 +21,6 @@ PAGE = "exercises/step3_depth"
 PACKED = ROOT / "_build" / "page_python" / "python"
 SOLVED = Record(passed=True, attempts=3, hints=1, mistakes={"linear": 2})
 CDN = "https://cdn.jsdelivr.net/pyodide/v314.0.7/full/"
-
-
-@pytest.fixture(scope="module")
-def manifest(student_pages):
-    path = ROOT / "_build" / "page_python.json"
-    if not path.is_file() or not (student_pages / "_static" / "python").is_dir():
-        browser.give_up("Python in the page is not packed; run `make book` first")
-    manifest = json.loads(path.read_text())
-    if manifest["remote"]:
-        browser.give_up("no wheels: the pages load NumPy and OpenCV from the CDN")
-    return manifest
 
 
 def write_progress(folder, **records):
@@ -70,16 +58,16 @@ def imports(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def used(chromium, file_site, imports, manifest, once):  # noqa: ARG001 - what it needs to run
+def used(chromium, file_site, imports, page_python, once):  # noqa: ARG001 - what it needs to run
     return once("exercise-ui", lambda: chromium("exercise_ui.mjs", file_site, PAGE, imports))
 
 
 @pytest.fixture(scope="module")
-def limited(chromium, http_site, manifest, tmp_path_factory, once):
+def limited(chromium, http_site, page_python, tmp_path_factory, once):
     """The page where something is missing; wheels are made of what is packed."""
     folder = tmp_path_factory.mktemp("wheels")
     remote, files = [], {}
-    for asset in manifest["assets"]:
+    for asset in page_python["assets"]:
         name = asset["name"].removeprefix("vendor/").removesuffix(".zip")
         if name not in ("numpy", "cv2"):
             continue

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 from pack_python import list_page_exercises
 
+from labutils.checks import judge
 from labutils.checks.table import load_table
 from solutions import load_exercises
-from tests.helpers import browser
 
 pytestmark = pytest.mark.slow
 
@@ -59,18 +59,8 @@ def plan(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def packed(student_pages):
-    """The pages, with NumPy and OpenCV in them."""
-    manifest = ROOT / "_build" / "page_python.json"
-    if not manifest.is_file() or not (student_pages / "_static" / "python").is_dir():
-        browser.give_up("Python in the page is not packed; run `make book` first")
-    if json.loads(manifest.read_text())["remote"]:
-        browser.give_up("no wheels: the pages load NumPy and OpenCV from the CDN")
-
-
 @pytest.fixture(scope="module", params=sorted(CHAPTERS))
-def step(request, chromium, file_site, plan, packed):  # noqa: ARG001 - what it needs to run
+def step(request, chromium, file_site, plan, page_python):  # noqa: ARG001 - what it needs to run
     """One page with all its exercises, opened from a file."""
     return request.param, chromium("exercises.mjs", file_site, page_of(request.param), plan)
 
@@ -99,13 +89,15 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(step):
         assert ".html" not in said["wrong"]["text"]
 
 
-def test_wrong_answers_that_can_be_drawn_show_a_picture(step):
+def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(step):
     _, done = step
-    pictures = [said["wrong"]["pictures"] for said in done["said"].values()]
-    assert any(pictures)
+    for name, said in done["said"].items():
+        wrong = CARDS[name].make_wrong((CARDS[name].misconceptions[0].name,))
+        drawn = judge(load_table(name), wrong).picture is not None
+        assert said["wrong"]["pictures"] == drawn, name
 
 
-def test_from_a_server_python_works_as_well(chromium, http_site, packed):  # noqa: ARG001
+def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  # noqa: ARG001
     done = chromium("exercises.mjs", http_site, page_of(3))
     (said,) = done["said"].values()
     assert said["starter"]["result"] == "failed"
@@ -113,7 +105,7 @@ def test_from_a_server_python_works_as_well(chromium, http_site, packed):  # noq
     assert done["complaints"] == []
 
 
-def test_python_works_in_firefox_too(firefox, site, packed):  # noqa: ARG001
+def test_python_works_in_firefox_too(firefox, site, page_python):  # noqa: ARG001
     done = firefox("exercises_firefox.mjs", site, page_of(3))
     assert "Not started yet." in done["text"]
     assert done["complaints"] == []

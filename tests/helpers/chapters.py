@@ -62,7 +62,7 @@ def find_orphans(root: Path = ROOT) -> list[str]:
     problems += [f"page {p} is in _toc.yml twice" for p in set(listed) if listed.count(p) > 1]
     text = "".join((root / p).with_suffix(".md").read_text(encoding="utf-8") for p in existing)
     for name in find_widgets(root):
-        if not re.search(rf"\b{name}\b", text):
+        if f"explore_{name}(" not in text:
             problems.append(f"widget {name} is on no page")
         if not (root / "tests" / "explorers" / f"test_{name}.py").is_file():
             problems.append(f"widget {name} has no test")
