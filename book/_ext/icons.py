@@ -1,4 +1,4 @@
-"""Show the theme's icons from two small fonts instead of Font Awesome's script.
+"""Show the theme's icons from small fonts instead of Font Awesome's script.
 
 The theme loads all of Font Awesome, 1.5 MB of script, for some twenty icons. Once the
 pages are written, this hook looks which icons they, the style sheets and the widgets use,

@@ -187,9 +187,7 @@
     const verdict = make("div", "exercise-verdict");
     verdict.innerHTML = said.html;
     for (const element of verdict.querySelectorAll("[style]")) element.removeAttribute("style");
-    for (const link of verdict.querySelectorAll("a")) {
-      link.textContent = python.data.titles[link.getAttribute("href")] ?? link.textContent;
-    }
+    nameLinks(verdict);
     return verdict;
   }
 
@@ -203,7 +201,15 @@
     }
   }
 
+  /** Links of verdicts that the build has put on the page say their heading, too. */
+  function nameLinks(parent) {
+    for (const link of parent.querySelectorAll("a")) {
+      link.textContent = python.data.titles[link.getAttribute("href")] ?? link.textContent;
+    }
+  }
+
   function start() {
+    document.querySelectorAll(".cell_output").forEach(nameLinks);
     if (!window.cameraLabEditor) return; // the page stays plain
     const mounts = [...document.querySelectorAll(".exercise[data-exercise]")];
     const exercises = mounts.map((mount) => new Exercise(find(mount)));
