@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 _FOV_LIMITS_DEG = (1.0, 150.0)
 _FAR_STEP = 0.1
 #: First place to look from: beside and above the camera, so that its rays can be seen.
-_AZIMUTH_DEG, _ELEVATION_DEG = 50.0, -5.0
-_DISTANCE = 1.6  # in radii of the cloud
+_AZIMUTH_DEG, _ELEVATION_DEG = 40.0, -5.0
+_DISTANCE = 1.8  # in radii of the cloud
 #: How far from the middle of the cloud toward the camera one looks, so that both are in sight.
-_TOWARD_CAMERA = 0.15
+_TOWARD_CAMERA = 0.05
 
 #: From the world's axes (x forward, y left, z up) to x right, y down, z forward.
 _TURN_WORLD = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])

@@ -77,7 +77,7 @@ export async function settle(page) {
 /** Loads the pictures that wait until the reader comes near. */
 export async function loadPictures(page) {
   await page.evaluate(async () => {
-    const waiting = [...document.querySelectorAll("main img[loading=lazy]")];
+    const waiting = [...document.querySelectorAll("main img")];
     for (const image of waiting) image.loading = "eager";
     await Promise.allSettled(waiting.map((image) => image.decode()));
   });

@@ -27,7 +27,7 @@ export function drawTopView(svg, fovX, landmarks) {
   const scale = (HEIGHT - 70) / farthest; // pixels per meter
   const place = ({ x, z }) => [CAMERA[0] + x * scale, CAMERA[1] - z * scale];
   const half = (fovX * Math.PI) / 360;
-  const reach = HEIGHT;
+  const reach = CAMERA[1] - 2;
   const end = (side) => [
     CAMERA[0] + side * reach * Math.sin(half),
     CAMERA[1] - reach * Math.cos(half),

@@ -166,7 +166,7 @@ function inWords(values, [near, far], [u, v]) {
   const [low, high] = values.raw_range.map((one) => one.toFixed(4));
   const text =
     `${near.toFixed(2)} to ${far.toFixed(2)} m holds ${values.share_inside.toFixed(1)} % of the pixels; ` +
-    `${values.no_surface} see no surface. The same range in the raw buffer: ${low} to ${high}.`;
+    `${values.no_surface.toLocaleString("en-US")} see no surface. The same range in the raw buffer: ${low} to ${high}.`;
   if (u === undefined) return text;
   if (values.pixel_depth === null) return `${text} Pixel (${u}, ${v}): no depth.`;
   const meters = values.pixel_depth;

@@ -85,7 +85,7 @@ function describeSelection({ share, count, centroid, ...picked }, pixel) {
   const digits = share > 0 && share < 0.0995 ? 2 : 1;
   const where = centroid ? `(${centroid.join(", ")})` : "none";
   return (
-    `Selected: ${(100 * share).toFixed(digits)}% (${count} pixels). Centroid: ${where}.` +
+    `Selected: ${(100 * share).toFixed(digits)}% (${count.toLocaleString("en-US")} pixels). Centroid: ${where}.` +
     describePicked(picked, pixel)
   );
 }
