@@ -23,12 +23,12 @@ export const DESKTOP = { width: 1280, height: 900 };
 export const PHONE = { width: 390, height: 844 };
 export const NARROW = { width: 360, height: 740 };
 
-/** Starts the browser that CHROMIUM names, else the usual one. */
-export function launch() {
+/** Starts the browser that CHROMIUM names, else the usual one, with more flags where given. */
+export function launch(flags = []) {
   const { chromium } = require("playwright-core");
   return chromium.launch({
     executablePath: process.env.CHROMIUM || BROWSERS.find(existsSync),
-    args: FLAGS,
+    args: [...FLAGS, ...flags],
   });
 }
 

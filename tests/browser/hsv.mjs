@@ -35,7 +35,7 @@ async function read(page) {
       picture: root.dataset.picture,
       size: [width, height],
       place: root.getBoundingClientRect().height,
-      traits: window.traits(),
+      traits: window.host.traits(),
       message: root.querySelector(".explorer-own [role=status]").textContent,
       buttons: [...root.querySelectorAll(".explorer-own button:not([hidden])")].map(
         (one) => one.textContent,
@@ -53,7 +53,7 @@ function press(page, name) {
 async function show(page, centroid) {
   const seen = [];
   for (const shown of [0, 1, 2]) {
-    await page.evaluate((value) => window.model.set("shown", value), shown);
+    await page.evaluate((value) => window.host.set("shown", value), shown);
     await read(page);
     seen.push(
       await page.evaluate(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import json
 from typing import Any
 
 import cv2
@@ -11,35 +9,9 @@ import numpy as np
 import pytest
 
 from labutils.explorers import explore_hsv
-from labutils.explorers._modules import join_modules
+from tests.helpers.view_page import write_view_page
 
 RED = ((170, 120, 50), (6, 255, 255))
-#: A host as small as can be: it holds the traits, and no Python listens.
-PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>view</title>
-<style>%(style)s</style><main></main>
-<script type="text/plain" id="view">%(view)s</script>
-<script type="module">
-const traits = %(traits)s;
-const png = Uint8Array.from(atob(traits.rgb_png), (one) => one.charCodeAt(0));
-traits.rgb_png = new DataView(png.buffer);
-window.traits = () => ({ ...traits, rgb_png: traits.rgb_png.byteLength });
-const heard = {};
-const model = {
-  get: (name) => traits[name],
-  set(name, value) {
-    traits[name] = value;
-    for (const one of heard[`change:${name}`] ?? []) one();
-  },
-  save_changes() {},
-  on: (name, one) => (heard[name] ??= []).push(one),
-  off: (name, one) => (heard[name] = heard[name].filter((other) => other !== one)),
-};
-const text = document.querySelector("#view").textContent;
-const module = new Blob([text], { type: "text/javascript" });
-const view = (await import(URL.createObjectURL(module))).default;
-window.model = model;
-await view.render({ model, el: document.querySelector("main") });
-</script></html>"""
 
 
 @pytest.fixture(scope="module")
@@ -62,14 +34,7 @@ def own() -> np.ndarray:
 def used(scene, own, chromium, tmp_path_factory) -> dict[str, Any]:
     """What happened while the view was used from a file."""
     folder = tmp_path_factory.mktemp("hsv")
-    view = explore_hsv(scene, RED).view
-    names = ("label", "help", "start", *view.PARAMETERS)
-    traits = {name: getattr(view, name) for name in names}
-    traits["rgb_png"] = base64.b64encode(view.rgb_png).decode()
-    text = join_modules("hsv")
-    assert "</script" not in text
-    filled = {"style": view._css, "view": text, "traits": json.dumps(traits)}
-    (folder / "hsv.html").write_text(PAGE % filled, encoding="utf-8")
+    write_view_page(explore_hsv(scene, RED).view, folder / "hsv.html")
     cv2.imwrite(str(folder / "own.png"), own[..., ::-1])
     return chromium("hsv.mjs", folder.as_uri() + "/", "hsv", folder / "own.png")
 

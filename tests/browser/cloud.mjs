@@ -1,31 +1,24 @@
-// Drive the point cloud explorer in Chromium, on a page that has nothing else: once with WebGL,
-// once in a browser that has none. Prints what was seen as JSON; test_cloud_browser.py judges it.
-//
-// Usage: node cloud_browser.mjs PAGE.html FOLDER CHROMIUM
+// node cloud.mjs SITE FOLDER: uses the point cloud explorer on a page that holds nothing else, once
+// with WebGL and once in a browser that has none; pictures go into FOLDER. test_cloud_view.py
+// says what is right.
 
-import { createRequire } from "node:module";
-import { pathToFileURL } from "node:url";
+import { launch } from "./_browser.mjs";
 
-const require = createRequire(new URL("../../_build/npm/", import.meta.url));
-const { chromium } = require("playwright-core");
-const [page_path, folder, executablePath] = process.argv.slice(2);
-const FLAGS = {
-  webgl2: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-  "2d": ["--disable-gpu", "--disable-3d-apis"],
-};
+const [site, folder] = process.argv.slice(2);
+const FLAGS = { webgl2: [], "2d": ["--disable-gpu", "--disable-3d-apis"] };
 
 const seen = {};
 for (const [kind, flags] of Object.entries(FLAGS)) {
-  const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", ...flags] });
+  const browser = await launch(flags);
   seen[kind] = await watch(await browser.newPage({ viewport: { width: 800, height: 900 } }), kind);
   await browser.close();
 }
-console.log(JSON.stringify(seen));
+process.stdout.write(JSON.stringify(seen));
 
 async function watch(page, kind) {
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
-  await page.goto(pathToFileURL(page_path).href);
+  await page.goto(new URL("cloud.html", site).href);
   const root = page.locator(".explorer[data-state=ready]");
   await root.waitFor({ timeout: 10000 }).catch(() => {
     throw new Error(`the explorer never got ready: ${errors.join("; ")}`);
