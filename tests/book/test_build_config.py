@@ -1,6 +1,5 @@
 """The machinery of the book: front-end pins, page hooks, what a failed build says."""
 
-import importlib.util
 import json
 import re
 from pathlib import Path
@@ -9,6 +8,8 @@ from types import SimpleNamespace
 import nbformat
 import pytest
 import yaml
+
+from tests.helpers.scripts import load_script
 
 ROOT = Path(__file__).resolve().parents[2]
 # Where a package came from; packages also name who to thank, under "funding".
@@ -27,10 +28,7 @@ Traceback of Sphinx
 def load(path, monkeypatch):
     """Import a script that belongs to no package."""
     monkeypatch.syspath_prepend(str((ROOT / path).parent))
-    spec = importlib.util.spec_from_file_location(f"loaded_{Path(path).stem}", ROOT / path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_script(path)
 
 
 @pytest.fixture

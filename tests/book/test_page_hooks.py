@@ -2,14 +2,13 @@
 
 import importlib.util
 import io
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 from fontTools.ttLib import TTFont
 from PIL import Image
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.helpers.scripts import load_script
 
 SHEET = (
     '.fa-bars:before,.fa-navicon:before{content:"\\f0c9"}.fa-github:before{content:"\\f09b"}'
@@ -19,12 +18,7 @@ SHEET = (
 
 def load(name):
     """Import a hook, which belongs to no package."""
-    spec = importlib.util.spec_from_file_location(
-        f"loaded_{name}", ROOT / "book" / "_ext" / f"{name}.py"
-    )
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_script(f"book/_ext/{name}.py")
 
 
 @pytest.fixture

@@ -3,27 +3,21 @@
 The module runs in a browser, but needs nothing of one: here it runs in this Python.
 """
 
-import importlib.util
 import json
 import warnings
-from pathlib import Path
 
 import pytest
 
 from labutils.checks.progress import Progress, Record, load_progress, save_progress
+from tests.helpers.scripts import load_script
 
-ROOT = Path(__file__).resolve().parents[2]
 NAME = "find_object_centroid"
 WRONG = f"def {NAME}(mask):\n    print('looking')\n    return (0, 0)\n"
 
 
 @pytest.fixture(scope="module")
 def runner():
-    path = ROOT / "book" / "_page_python" / "page_runner.py"
-    spec = importlib.util.spec_from_file_location("page_runner", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_script("book/_page_python/page_runner.py")
 
 
 @pytest.fixture

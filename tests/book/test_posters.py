@@ -2,23 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 from types import SimpleNamespace
 
 from docutils import nodes
 from docutils.utils import new_document
 
-from tests.helpers.chapters import ROOT
+from tests.helpers.scripts import load_script
 
-
-def load_hook():
-    spec = importlib.util.spec_from_file_location("posters", ROOT / "book" / "_ext" / "posters.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-HOOK = load_hook()
+HOOK = load_script("book/_ext/posters.py")
 
 
 def keep_posters(*mime_types):

