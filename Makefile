@@ -20,10 +20,10 @@ help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: ## install what is needed (every other target does it by itself)
-	@$(PYTHON) -u tools/setup_env.py
+	@$(PYTHON) -u -m tools.build.setup_env
 
 book: setup ## execute every chapter and build the pages (EDITION=instructor: with solutions)
-	@$(RUN) tools/build_book.py
+	@$(RUN) -m tools.build.book
 
 serve: book ## build the pages and serve them at http://localhost:8000
 	@$(RUN) -m http.server --bind 127.0.0.1 --directory _build/html 8000
@@ -35,11 +35,11 @@ outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
 
 exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
-	@$(RUN) tools/make_exercises.py
-	@$(RUN) tools/make_objectives.py
+	@$(RUN) -m tools.derive.exercises
+	@$(RUN) -m tools.derive.objectives
 
 student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
-	@$(RUN) tools/make_student.py
+	@$(RUN) -m tools.editions.student
 
 test: book ## run all tests, every page in a browser, every chapter as a notebook
 	@$(RUN) -m pytest -n auto --dist worksteal
@@ -56,10 +56,10 @@ format: setup ## rewrite the source in the house style
 check: lint test ## what CI runs
 
 bench: setup ## measure speed as ratios against named peers
-	@$(RUN) tools/bench.py
-	@$(RUN) tools/bench_checks.py
-	@$(RUN) tools/bench_explorers.py
-	@$(RUN) tools/bench_page_python.py
+	@$(RUN) -m tools.bench.clouds
+	@$(RUN) -m tools.bench.checks
+	@$(RUN) -m tools.bench.explorers
+	@$(RUN) -m tools.bench.page_python
 
 lock: setup ## write requirements.txt anew from requirements.in
 	@$(RUN) -m uv pip compile requirements.in --universal --python-version 3.11 \

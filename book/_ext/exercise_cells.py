@@ -3,12 +3,11 @@
 A cell tagged ``exercise`` is followed by its check and by a box that tells how to ask for a hint.
 They are marked, and an empty element is put before them, which ``exercises.js`` fills with an
 editor. Exercises that need MuJoCo get a note instead: no browser has it. Only pages with exercises
-load the scripts; without these, or without ``tools/pack_python.py``, they are plain.
+load the scripts; without these, or without ``tools/vendor/pack_python.py``, they are plain.
 """
 
 import json
 import re
-import sys
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
@@ -18,10 +17,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT))
-
-from labutils.checks.table import load_table, read_words  # noqa: E402 - the path is set above
+from labutils.checks.table import load_table, read_words
 
 PACKED = Path("_build", "page_python")  # below the source folder, like the manifest
 MANIFEST = Path("_build", "page_python.json")

@@ -1,6 +1,6 @@
 """Keep the built book self-contained: no page asks another host for anything.
 
-The front-end files lie in ``_build/vendor`` (see ``tools/vendor_frontend.py``).
+The front-end files lie in ``_build/vendor`` (see ``tools/vendor/frontend.py``).
 """
 
 from pathlib import Path

@@ -6,7 +6,6 @@ directive, in a notebook. Without JavaScript the questions can be read and the a
 unfolded; ``quiz.js`` turns them into a form that answers.
 """
 
-import sys
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -17,10 +16,7 @@ from sphinx.application import Sphinx
 from sphinx.domains.std import StandardDomain
 from sphinx.util.docutils import SphinxDirective
 
-TOOLS = Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
-
-import quiz_items  # noqa: E402 - tools/ is on the path from here on
+from content import quiz_items
 
 LETTERS = "ABCD"
 LABEL = "quiz-{}"  # of a question: the id in the page and the name for {ref}

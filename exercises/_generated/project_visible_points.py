@@ -1,6 +1,6 @@
 """Starter of the exercise project_visible_points.
 
-Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`.
 """
 
 import numpy as np

@@ -1,6 +1,6 @@
 """Starter of the exercise segment_by_color.
 
-Written by tools/make_exercises.py from the cards in solutions/: run `make exercises`.
+Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`.
 """
 
 import cv2

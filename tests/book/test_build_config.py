@@ -10,6 +10,8 @@ import pytest
 import yaml
 
 from tests.helpers.scripts import load_script
+from tools.build import book
+from tools.vendor import frontend
 
 ROOT = Path(__file__).resolve().parents[2]
 # Where a package came from; packages also name who to thank, under "funding".
@@ -66,8 +68,7 @@ def test_no_lock_file_says_where_packages_came_from():
         assert not ADDRESS_OF_A_PACKAGE.search((ROOT / name).read_text()), name
 
 
-def test_the_packages_of_the_browser_tests_come_with_all_they_need(monkeypatch):
-    vendor = load("tools/vendor_frontend.py", monkeypatch)
+def test_the_packages_of_the_browser_tests_come_with_all_they_need():
     packages = {
         "node_modules/driver": {"dependencies": {"wrap": "1", "width": "2"}},
         "node_modules/wrap": {"dependencies": {"width": "1", "driver": "1"}},
@@ -76,13 +77,12 @@ def test_the_packages_of_the_browser_tests_come_with_all_they_need(monkeypatch):
         "node_modules/ansi": {},
         "node_modules/unused": {},
     }
-    places = vendor._with_dependencies(["driver"], packages)
+    places = frontend._with_dependencies(["driver"], packages)
     assert sorted(places) == ["ansi", "driver", "width", "wrap", "wrap/node_modules/width"]
 
 
-def test_every_package_of_the_browser_tests_is_locked(monkeypatch, manifest, lock):
-    vendor = load("tools/vendor_frontend.py", monkeypatch)
-    places = vendor._with_dependencies(manifest["devDependencies"], lock["packages"])
+def test_every_package_of_the_browser_tests_is_locked(manifest, lock):
+    places = frontend._with_dependencies(manifest["devDependencies"], lock["packages"])
     assert set(manifest["devDependencies"]) < set(places)
     assert all(lock["packages"][f"node_modules/{place}"]["integrity"] for place in places)
 
@@ -187,14 +187,14 @@ def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
         ("something\nwithout a marker\n", "without a marker", "WARNING"),
     ],
 )
-def test_a_failed_build_shows_its_reason(log, expected, unwanted, monkeypatch):
-    said = load("tools/build_book.py", monkeypatch)._what_went_wrong(log)
+def test_a_failed_build_shows_its_reason(log, expected, unwanted):
+    said = book._what_went_wrong(log)
     assert expected in said
     assert unwanted not in said
 
 
 def test_a_change_of_the_library_empties_the_execution_cache(tmp_path, monkeypatch):
-    build = load("tools/build_book.py", monkeypatch)
+    build = book
     monkeypatch.setattr(build, "ROOT", tmp_path)
     edition = build.EDITIONS["student"]
     for name in (*build.CELL_SOURCES, *build.PAGE_SOURCES):

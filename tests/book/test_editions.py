@@ -9,23 +9,24 @@ import subprocess
 import sys
 import zipfile
 from dataclasses import replace
+from fnmatch import fnmatch
 from pathlib import Path, PurePosixPath
 
-import build_book
-import make_instructor_pages
-import make_student
 import nbformat
 import numpy as np
 import pytest
 import yaml
-from measure_mistakes import describe_residual, measure
-from page_minutes import parse_minutes
-from plain_markdown import Flattener, find_labels
 
 import labutils
+from content.page_minutes import parse_minutes
 from labutils.checks.table import Part, Raised
 from solutions import load_exercises
 from tests.helpers.chapters import ROOT, get_toc_pages
+from tools.build import book as build_book
+from tools.editions import instructor_pages as make_instructor_pages
+from tools.editions import student as make_student
+from tools.editions.mistakes import describe_residual, measure
+from tools.editions.plain_markdown import Flattener, find_labels
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +51,7 @@ def test_the_student_edition_is_the_default():
 
 def test_an_unknown_edition_is_refused_before_anything_is_built(monkeypatch, capsys):
     monkeypatch.setenv("EDITION", "teacher")
-    monkeypatch.setattr(build_book.vendor_frontend, "main", lambda _: pytest.fail("went on"))
+    monkeypatch.setattr(build_book.frontend, "main", lambda _: pytest.fail("went on"))
     assert build_book.main() == 2
     error = capsys.readouterr().err
     assert "EDITION: expected one of student, instructor, got 'teacher'" in error
@@ -221,8 +222,12 @@ def test_pyproject_of_the_zip_installs_the_library_and_nothing_else(files):
     project = tomllib.loads(files["pyproject.toml"].decode())
     assert project["project"]["name"] == "labutils"
     assert set(project["tool"]) == {"setuptools"}
-    for package in project["tool"]["setuptools"]["packages"]:
-        assert f"{package.replace('.', '/')}/__init__.py" in files
+    wanted = project["tool"]["setuptools"]["packages"]["find"]["include"]
+    packages = {name.rpartition("/")[0] for name in files if name.endswith("/__init__.py")}
+    assert packages
+    for package in packages:
+        assert package.startswith("labutils")
+        assert any(fnmatch(package.replace("/", "."), pattern) for pattern in wanted)
     for license_file in project["project"]["license-files"]:
         assert license_file in files
 

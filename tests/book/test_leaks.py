@@ -11,7 +11,6 @@ from dataclasses import replace
 import nbformat
 import numpy as np
 import pytest
-from make_student import make_files, pack
 
 from labutils.checks.table import Part
 from solutions import load_exercises
@@ -23,6 +22,7 @@ from tests.helpers.leaks import (
     read_document,
     read_documents,
 )
+from tools.editions.student import make_files, pack
 
 HTML = ROOT / "_build" / "html"
 NOTES = sorted((ROOT / "solutions" / "notes").glob("*.md"))
@@ -221,7 +221,7 @@ def test_the_library_never_imports_the_solutions():
 def test_the_built_book_holds_no_leak(secrets):
     if not (HTML / "index.html").is_file():
         done = subprocess.run(
-            [sys.executable, "tools/build_book.py"],
+            [sys.executable, "-m", "tools.build.book"],
             cwd=ROOT,
             env={**os.environ, "EDITION": "student"},
             check=False,

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import make_objectives
 import pytest
-from make_objectives import find_problems, make_table, read_book
-from quiz_items import Choice, Item
+
+from content.quiz_items import Choice, Item
+from tools.derive import objectives as make_objectives
+from tools.derive.objectives import find_problems, make_table, read_book
 
 
 @pytest.fixture
@@ -39,7 +40,7 @@ def test_a_stale_or_missing_table_is_noticed(tmp_path, monkeypatch, capsys, book
     monkeypatch.setattr(make_objectives, "read_book", lambda: book)
     monkeypatch.setattr(make_objectives, "ROOT", tmp_path)
     assert make_objectives.main(["--check"]) == 1
-    assert "stale: run python tools/make_objectives.py" in capsys.readouterr().err
+    assert "stale: run python -m tools.derive.objectives" in capsys.readouterr().err
     (tmp_path / "book").mkdir()
     assert make_objectives.main([]) == 0
     assert make_objectives.main(["--check"]) == 0

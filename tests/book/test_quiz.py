@@ -11,8 +11,8 @@ from html.parser import HTMLParser
 
 import pytest
 import yaml
-from quiz_items import CONCEPTS, QuizError, load_all, load_page
 
+from content.quiz_items import CONCEPTS, QuizError, load_all, load_page
 from tests.helpers.chapters import ROOT
 
 PAGES = load_all()

@@ -9,11 +9,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from pack_python import list_page_exercises
 
 from labutils.checks import judge
 from labutils.checks.table import load_table
 from solutions import load_exercises
+from tools.vendor.pack_python import list_page_exercises
 
 pytestmark = pytest.mark.slow
 

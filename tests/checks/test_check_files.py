@@ -1,7 +1,6 @@
 """What is derived from the cards is current, and made the same way everywhere."""
 
 import hashlib
-import importlib.util
 import inspect
 import io
 import re
@@ -14,18 +13,14 @@ import numpy as np
 import pytest
 
 from solutions import load_exercises
+from tools.derive import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
 def tool():
-    spec = importlib.util.spec_from_file_location(
-        "make_exercises", ROOT / "tools/make_exercises.py"
-    )
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return exercises
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +49,7 @@ def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, 
 
 def test_tables_are_the_same_bytes_in_another_process(files):
     code = (
-        "import sys, hashlib; sys.path.insert(0, 'tools'); import make_exercises as m;"
+        "import hashlib; from tools.derive import exercises as m;"
         "from solutions import load_exercises as e; f = m.make_files(e());"
         "print(hashlib.sha256(b''.join(f[k] for k in sorted(f))).hexdigest())"
     )

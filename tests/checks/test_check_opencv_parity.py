@@ -14,7 +14,8 @@ BROWSER_OPENCV = "4.11.0.86"
 
 def run_script(python):
     return subprocess.run(
-        [python, str(ROOT / "tools/check_opencv_parity.py")],
+        [python, "-m", "tools.derive.opencv_parity"],
+        cwd=ROOT,
         capture_output=True,
         text=True,
         check=True,

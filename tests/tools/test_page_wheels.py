@@ -4,8 +4,9 @@ import hashlib
 import json
 from pathlib import Path
 
-import page_wheels
 import pytest
+
+from tools.vendor import page_wheels
 
 TAGS = "cp314-cp314-pyemscripten_2026_0_wasm32.whl"
 NUMPY, CV2 = f"numpy-2.4.6-{TAGS}", f"opencv_python-4.11.0.86-{TAGS}"

@@ -1,0 +1,16 @@
+"""What builds, derives, measures and draws the book: ``python -m tools.ROOM.NAME`` runs a tool.
+
+| room | what it does |
+|---|---|
+| ``build`` | sets up the environment and builds the pages |
+| ``vendor`` | fetches front-end files, packs Python for the pages |
+| ``derive`` | writes what follows from the cards and the chapters |
+| ``editions`` | the instructor's pages, the learner's zip |
+| ``bench`` | measures speed against named peers |
+| ``draw`` | figures, cover, textures, screenshots |
+"""
+
+from pathlib import Path
+
+#: The repository.
+ROOT = Path(__file__).resolve().parents[1]

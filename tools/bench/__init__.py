@@ -1,0 +1,1 @@
+"""Measure speed, as ratios against named peers: what ``make bench`` runs."""

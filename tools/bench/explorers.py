@@ -1,0 +1,66 @@
+"""Measure the explorers: how long a frame takes after a slider was moved.
+
+Every slider of every explorer in the built book is moved from end to end in headless Chromium,
+one step per frame; opening and closing stay at their largest radius meanwhile. Beside it stands
+what labutils takes for the same values in Python, with OpenCV's own code, as the peer: no network,
+no drawing, so a page that needed a kernel for each frame would be slower than that.
+
+Usage: ``python -m tools.bench.explorers``; ends with an error where a median frame takes 16 ms.
+"""
+
+import statistics
+import sys
+import time
+
+from labutils.explorers._base import View
+from tests.browser.test_explorers import PAGES, read_views
+from tests.helpers import browser
+
+FRAME_MS = 16.0
+REPEATS = 5
+
+
+def measure_python(view: View, parameters: dict[str, object]) -> float:
+    """Return the best time, in milliseconds, of the same values in Python."""
+    for name, value in parameters.items():
+        setattr(view, name, value)
+    times = []
+    for _ in range(REPEATS):
+        start = time.perf_counter()
+        view.compute()
+        times.append(1000 * (time.perf_counter() - start))
+    return min(times)
+
+
+def main() -> int:
+    """Print a table; return a shell's exit code."""
+    if not browser.find_browser("CHROMIUM", browser.CHROMIUM_NAMES):
+        print("explorers: not measured; no Chromium found, install it or set CHROMIUM")
+        return 0
+    pages = browser.STUDENT_PAGES
+    if not (pages / "index.html").is_file():
+        print("explorers: not measured; the book is not built, run `make book` first")
+        return 0
+    browser.frontend.vendor_tests()
+    print(
+        f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  of a 16 ms frame"
+    )
+    worst = 0.0
+    for page in PAGES:
+        found = browser.run_script("../../tools/bench/explorers.mjs", pages.as_uri() + "/", page)
+        views = read_views((pages / f"{page}.html").read_text(encoding="utf-8"))
+        for one, view in zip(found, views, strict=True):
+            times = sorted(one["times"])
+            median, late = statistics.median(times), times[int(0.95 * len(times))]
+            worst = max(worst, median)
+            peer = measure_python(view, one["parameters"])
+            print(
+                f"{one['name']:<18}{len(times):>7}{median:>6.1f} ms{late:>6.1f} ms{peer:>8.1f} ms"
+                f"  {median / FRAME_MS:.2f}"
+            )
+    print(f"slowest median frame: {worst:.1f} ms, limit {FRAME_MS:.0f} ms")
+    return int(worst >= FRAME_MS)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

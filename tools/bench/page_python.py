@@ -1,0 +1,109 @@
+"""Measure Python in the page: from the first click to the result, and every check after.
+
+The same check runs here, natively, in a process of its own for the first and in this one for the
+later, so that the times can be read as ratios: those of a machine that is busy, or slow, keep
+their meaning. Needs a built book with its wheels, and Chromium.
+
+Usage: ``python -m tools.bench.page_python``; the limits are 5 s and 0.3 s on two cores.
+"""
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from labutils.checks import judge
+from labutils.checks.table import load_table
+from tools import ROOT
+from tools.vendor import frontend, page_python
+
+HTML = ROOT / "_build" / "html"
+SCRIPT = Path(__file__).with_suffix(".mjs")
+PAGE, EXERCISE = "exercises/step4_color", "segment_by_color"
+ROUNDS, TURNS = 3, 10
+FIRST_LIMIT_MS, LATER_LIMIT_MS = 5000, 300
+
+# A wrong answer that is recognized and drawn: nothing a check does is left out.
+CODE = """
+import cv2
+
+def segment_by_color(rgb_image, target_hsv_range):
+    low, high = target_hsv_range
+    return cv2.inRange(cv2.cvtColor(rgb_image, cv2.COLOR_RGB2HSV), low, high)
+"""
+COLD_CHECK = f"""
+from labutils.checks import judge
+from labutils.checks.table import load_table
+{CODE}
+judge(load_table({EXERCISE!r}), {EXERCISE})._repr_html_()
+"""
+
+
+def main() -> int:
+    """Print the times and the ratios; return a shell's exit code."""
+    if not (HTML / "_static" / "python" / "vendor" / "numpy.zip.0.js").is_file():
+        print("python in the page: not measured; no built book that holds the wheels")
+        return 0
+    frontend.vendor_tests()
+    first, later, cold, warm = [], [], [], []
+    for _ in range(ROUNDS):  # in turns: what else the machine does falls on both
+        page = measure_page()
+        first.append(page["first"])
+        later += page["later"]
+        cold.append(measure_cold())
+        warm += measure_warm()
+    print_line("first click to result", first, "a new native Python", cold, FIRST_LIMIT_MS)
+    print_line("every later check", later, "the native check", warm, LATER_LIMIT_MS)
+    return 0
+
+
+def print_line(what: str, ours: list[float], peer: str, theirs: list[float], limit: int) -> None:
+    """Print a median, its ratio to the native one and what the limit is."""
+    a, b = statistics.median(ours), statistics.median(theirs)
+    print(f"{what:<22} {a:7.0f} ms, {a / b:5.1f} x {peer} ({b:.0f} ms); limit {limit} ms")
+
+
+def measure_page() -> dict[str, list[float]]:
+    """Open the page in a new browser and check there."""
+    arguments = [str(SCRIPT), str(HTML), PAGE, EXERCISE, CODE, str(TURNS)]
+    command = [*page_python._node(), *arguments]  # noqa: SLF001 - another half of the tools
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise SystemExit(f"python in the page: {done.stderr.strip()[-500:]}")
+    times = json.loads(done.stdout)
+    if times["said"] != "failed":
+        raise SystemExit(f"python in the page: a wrong answer was {times['said']}")
+    return times
+
+
+def measure_cold() -> float:
+    """Start a Python, import everything and check, in milliseconds."""
+    started = time.perf_counter()
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    subprocess.run(
+        [sys.executable, "-c", COLD_CHECK],
+        cwd=ROOT,
+        env=environment,
+        check=True,
+        stdout=subprocess.DEVNULL,
+    )
+    return 1000 * (time.perf_counter() - started)
+
+
+def measure_warm() -> list[float]:
+    """Check once more in this Python, several times."""
+    times = []
+    for _ in range(TURNS):
+        space: dict[str, object] = {}
+        started = time.perf_counter()
+        exec(CODE, space)  # noqa: S102 - our own
+        judge(load_table(EXERCISE), space[EXERCISE])._repr_html_()
+        times.append(1000 * (time.perf_counter() - started))
+    return times
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Write what follows from the cards and the chapters: what ``make exercises`` runs."""

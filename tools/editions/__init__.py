@@ -1,0 +1,1 @@
+"""Make the editions: the pages for instructors, the zip for learners."""

@@ -1,0 +1,278 @@
+"""Write the pages that only the instructor edition has: one per step, from the cards.
+
+Nothing of it is kept in the repository: reference and mistakes come from ``solutions/``,
+what is said of them is measured anew, the notes are those of ``solutions/notes/``. The
+table of contents and the configuration of the edition are made from the student's.
+
+Run by ``make book EDITION=instructor``.
+"""
+
+from __future__ import annotations
+
+import inspect
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import yaml
+
+from content.page_minutes import Minutes, read_minutes
+from labutils.checks.table import Raised
+from solutions import QUALITY_POINTS, load_exercises
+from tools import ROOT
+from tools.editions.card_code import find_called, is_answered_by_library
+from tools.editions.mistakes import SEEDS, Measured, measure
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from solutions import Exercise
+
+PAGES = Path("solutions", "pages")
+NOTES = Path("solutions", "notes")
+EDITION = Path("_build", "instructor")
+MADE_BY = "<!-- Written by tools/editions/instructor_pages.py. -->"
+TITLE = "Camera Image Processing for Robotics, instructor edition"
+BANNER = "Instructor edition: it holds the solutions. Do not publish it."
+
+
+def write_pages(root: Path = ROOT) -> str:
+    """Write pages, contents and configuration; return what was done, in words."""
+    toc = yaml.safe_load((root / "_toc.yml").read_text(encoding="utf-8"))
+    files = make_pages(root, toc)
+    for old in sorted((root / PAGES).glob("*.md")):
+        if PAGES / old.name not in files:
+            old.unlink()
+    added = [path.with_suffix("").as_posix() for path in files]
+    toc["parts"].append({"caption": "Instructor", "chapters": [{"file": name} for name in added]})
+    files[EDITION / "_toc.yml"] = yaml.safe_dump(toc, sort_keys=False)
+    config = make_config(yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8")))
+    files[EDITION / "_config.yml"] = yaml.safe_dump(config, sort_keys=False)
+    written = 0
+    for path, text in files.items():
+        target = root / path
+        # an unchanged file keeps its time, so that Sphinx does not read it again
+        if not target.is_file() or target.read_text(encoding="utf-8") != text:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8", newline="\n")
+            written += path.suffix == ".md"
+    return f"{len(added)}, {written} of them new or changed"
+
+
+def make_config(config: dict[str, Any]) -> dict[str, Any]:
+    """Return the configuration of the edition: the student's, the pages let in, a banner."""
+    config["title"] = TITLE
+    kept = [name for name in config["exclude_patterns"] if name != "solutions"]
+    hidden = [f"solutions/{name}" for name in ("notes", "_generated")]
+    config["exclude_patterns"] = [*kept, *hidden]
+    config["html"]["use_edit_page_button"] = False  # the added pages are in no repository
+    sphinx = config["sphinx"]
+    # hooks are looked for beside the configuration
+    back = "/".join([".."] * len(EDITION.parts))
+    sphinx["local_extensions"] = {
+        name: f"{back}/{folder}" for name, folder in sphinx["local_extensions"].items()
+    }
+    sphinx["config"]["html_theme_options"]["announcement"] = BANNER
+    return config
+
+
+def make_pages(root: Path, toc: dict[str, Any]) -> dict[Path, str]:
+    """Return the added pages: the overview first, then one per step."""
+    steps: dict[int, list[Exercise]] = {}
+    for exercise in load_exercises().values():
+        steps.setdefault(exercise.step, []).append(exercise)
+    for note in (root / NOTES).glob("step*.md"):
+        steps.setdefault(int(note.stem[4:]), [])
+    minutes = read_minutes(root, toc)
+    pages = {PAGES / "index.md": make_overview(steps, minutes)}
+    for step, exercises in sorted(steps.items()):
+        pages[PAGES / f"step{step}.md"] = make_step(
+            step, exercises, minutes.get(step, Minutes()), read_notes(root, step)
+        )
+    return pages
+
+
+def read_notes(root: Path, step: int) -> str:
+    """Read the teaching notes of a step."""
+    return (root / NOTES / f"step{step}.md").read_text(encoding="utf-8").strip()
+
+
+def make_overview(steps: dict[int, list[Exercise]], minutes: dict[int, Minutes]) -> str:
+    """Return the page that stands before the steps."""
+    rows = []
+    for step, exercises in sorted(steps.items()):
+        time = minutes.get(step, Minutes())
+        lab = [one for one in exercises if is_answered_by_library(one)]
+        rows.append(
+            f"| [Step {step}](step{step}.md) | {time.reading} | {time.doing} "
+            f"| {len(lab)} | {sum(one.points for one in lab)} | {len(exercises) - len(lab)} |"
+        )
+    total = sum(minutes.values(), Minutes())
+    mistakes = sum(len(one.misconceptions) for many in steps.values() for one in many)
+    pairs = sum(len(one.get_combinations()) for many in steps.values() for one in many) - mistakes
+    every = [one for many in steps.values() for one in many]
+    lab = [one for one in every if is_answered_by_library(one)]
+    return f"""(page-instructor)=
+# For instructors: what is behind the checks?
+
+{MADE_BY}
+
+These pages are in no student's copy. Each shows, for one step, how long it takes, what to ask and
+to show, the solutions, the mistakes that the checks recognize, and the points.
+
+| Step | Reading, min | Doing, min | Lab exercises | Points | Challenges |
+|---|---:|---:|---:|---:|---:|
+{chr(10).join(rows)}
+| Sum | {total.reading} | {total.doing} | {len(lab)} | {sum(one.points for one in lab)} \
+| {len(every) - len(lab)} |
+
+{QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are those of
+the pages' cards, a plan rather than a measurement; *doing* counts the exercises and challenges of
+the step too.
+
+## How were the checks tested?
+
+The checks know {mistakes} mistakes and {pairs} pairs of two at once. Each is a function that is
+run, so the tests can ask of every card what it promises:
+
+- the reference passes the visible cases, and the hidden cases of 20 seeds;
+- every mistake and every pair fails, and is named as itself;
+- every mistake fails the hidden cases of 20 seeds as well;
+- the untouched starter, constants, NaN and the arguments handed back earn nothing;
+- an answer ten tolerances off fails, one a tenth of a tolerance off passes.
+
+What the step pages say of a mistake is measured when the pages are built, on the visible cases and
+on the hidden cases of {len(SEEDS)} seeds:
+
+**seen by** names the first gate it fails, and the visible cases on which it is wrong;
+**worst** tells how far it is off, on the case where that is most;
+**closest** is the mistake that agrees with it most often, and the cases that part the two;
+**keeps** is what somebody who makes this mistake only may expect to earn.
+
+## What decides the grade?
+
+The visible cases are on every learner's machine: they teach, and they can be copied. The hidden
+cases are made from a seed that you choose when you grade, and are stored nowhere. These pages count
+each hidden case of an exercise the same.
+"""
+
+
+def make_step(step: int, exercises: list[Exercise], minutes: Minutes, notes: str) -> str:
+    """Return the page of one step."""
+    lab = [one for one in exercises if is_answered_by_library(one)]
+    names = ", ".join(f"`{one.name}`" for one in exercises) or "none"
+    body = "\n\n".join(make_exercise(one) for one in exercises)
+    return f"""(page-instructor-step{step})=
+# Step {step} for instructors
+
+{MADE_BY}
+
+| | |
+|---|---|
+| Reading | about {minutes.reading} minutes |
+| Doing | about {minutes.doing} minutes |
+| Points | {sum(one.points for one in lab)} in the lab's rubric |
+| Exercises | {names} |
+
+## Teaching notes
+
+{notes}
+
+{body}
+"""
+
+
+def make_exercise(exercise: Exercise) -> str:
+    """Return the section of one exercise."""
+    kind = f"A lab exercise of {exercise.points} points"
+    if not is_answered_by_library(exercise):
+        kind = "A challenge: the library does not answer it"
+    measured = measure(exercise)
+    return f"""## `{exercise.name}`: {exercise.title}
+
+{kind}. It practices {", ".join(exercise.objectives)}. The check sends learners
+back to {{ref}}`{exercise.section}`. Tolerance: {exercise.tolerance_reason}.
+
+### Reference solution of `{exercise.name}`
+
+:::{{admonition}} Show the code
+:class: dropdown
+```python
+{get_source(exercise.reference)}
+```
+:::
+
+### Mistakes in `{exercise.name}`
+
+{chr(10).join(make_mistake(exercise, one) for one in measured)}
+
+{make_pairs(exercise)}
+
+Hints a learner may ask for:
+
+{chr(10).join(f"{number}. {text}" for number, text in enumerate(exercise.hints, 1))}
+
+### Points of `{exercise.name}`
+
+{make_cases(exercise)}"""
+
+
+def get_source(function: Callable[..., Any]) -> str:
+    """Return the code of a function and of the helpers in its card that it calls."""
+    return "\n\n".join(
+        textwrap.dedent(inspect.getsource(one)).rstrip()
+        for one in find_called(function) or [function]
+    )
+
+
+def make_mistake(exercise: Exercise, one: Measured) -> str:
+    """Return one mistake as an item of a definition list."""
+    count = len(exercise.visible())
+    if len(one.rival_cases) == count:
+        rival = "No other mistake looks like it on any case."
+    else:
+        told = list_cases(one.rival_cases, count)
+        rival = f"**Closest** is *{one.rival}*, told apart by {told}."
+    hidden = f"{100 * one.kept:.0f} % of the hidden cases"
+    if exercise.points:
+        hidden += f", {one.kept * exercise.points:.1f} of {exercise.points} points"
+    return f"""**{one.name}**
+: *{one.text[0].upper()}{one.text[1:]}*
+: **Seen by** the gate *{one.gate}*, wrong on {list_cases(one.cases, count)}. **Worst**: \
+{one.residual}. {rival} **Keeps** {hidden}.
+"""
+
+
+def list_cases(numbers: Iterable[int], count: int) -> str:
+    """Write numbers of cases: "every case", "case 2", "cases 1, 3"."""
+    texts = [str(number) for number in numbers]
+    if len(texts) == count:
+        return f"{'every case' if count > 1 else 'the only case'}"
+    return f"case{'s' if len(texts) > 1 else ''} {', '.join(texts)} of {count}"
+
+
+def make_pairs(exercise: Exercise) -> str:
+    """Say which pairs are recognized and which coincide."""
+    pairs = len(exercise.get_combinations()) - len(exercise.misconceptions)
+    lines = [f"Of two mistakes at once, {pairs} pairs are recognized."]
+    if exercise.absorbed:
+        lines += ["Not told apart, because nothing could:", ""]
+        lines += [f"- {one.first} and {one.second}: {one.reason}" for one in exercise.absorbed]
+    return "\n".join(lines)
+
+
+def make_cases(exercise: Exercise) -> str:
+    """Return the cases as tables: what is shown to everybody, what decides."""
+    hidden = exercise.hidden(np.random.default_rng(SEEDS[0]))
+    share = exercise.points / len(hidden)
+    due = exercise.collect(exercise.reference, hidden)
+    rows = [
+        f"| visible {number} | {case.label} | none |"
+        for number, case in enumerate(exercise.visible(), 1)
+    ]
+    for number, (case, outcome) in enumerate(zip(hidden, due, strict=True), 1):
+        note = f", raises {outcome.kind}" if isinstance(outcome, Raised) else ""
+        points = f"{share:.2f}" if exercise.points else "none"
+        rows.append(f"| hidden {number} | {case.label}{note} | {points} |")
+    return "\n".join(["| Case | What it shows | Points |", "|---|---|---:|", *rows])

@@ -1,0 +1,1 @@
+"""Fetch front-end files and Python for the pages, at pinned versions."""
