@@ -142,7 +142,7 @@ async function findAxeViolations(page) {
   // without preload: it asks for style sheets, which a page from a file may not
   for (const theme of ["light", "dark"]) {
     await page.evaluate((wanted) => (document.documentElement.dataset.theme = wanted), theme);
-    const { violations } = await page.evaluate(() => 
+    const { violations } = await page.evaluate(() =>
       window.axe.run({ include: [[".exercise"], [".exercise-bar"]] }, { preload: false }),
     );
     for (const { id, impact, nodes } of violations) {
