@@ -118,7 +118,10 @@ class Kind(ABC):
         return ""
 
     def draw(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPicture | None:
-        """Draw expected and yours side by side; None where there is nothing to compare by eye."""
+        """Draw expected and yours side by side; None where there is nothing to compare by eye.
+
+        Asked for wrong shapes as well: a cloud with too few points is worth a look.
+        """
         del part, expected, yours
         return None
 
