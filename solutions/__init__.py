@@ -6,12 +6,18 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from labutils.checks.report import QUALITY_POINTS
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
-__all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part", "load_exercises"]
-
-#: Points for code quality; no card has them.
-QUALITY_POINTS = 10
+__all__ = [
+    "QUALITY_POINTS",
+    "Absorbed",
+    "Case",
+    "Exercise",
+    "Misconception",
+    "Part",
+    "load_exercises",
+]
 
 
 @cache

@@ -17,6 +17,7 @@ import numpy as np
 
 from labutils.checks.calls import call_once
 from labutils.checks.compare import is_same_outcome, to_canonical
+from labutils.checks.kinds import get_kind
 from labutils.checks.progress import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 
@@ -121,6 +122,8 @@ class Exercise:
         names = [one.name for one in self.misconceptions]
         if len(set(names)) != len(names) or not 4 <= len(names) <= 7:
             raise ValueError(f"{self.name}: expected 4 to 7 different misconceptions, got {names}")
+        for part in self.parts:
+            get_kind(part)  # raises where there is no such kind
         if len(self.hints) != MAX_HINTS or not all(self.hints):
             raise ValueError(f"{self.name}: expected {MAX_HINTS} hints, got {len(self.hints)}")
         unknown = {name for one in self.absorbed for name in (one.first, one.second)} - set(names)

@@ -13,7 +13,7 @@ import numpy as np
 
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
 
-Function = Callable[..., Any]
+Function = Callable[..., object]
 
 #: Text of an exception is cut here: a message has to stay readable.
 _TEXT_LIMIT = 160
@@ -44,10 +44,10 @@ def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcom
 
 def prepare_arguments(
     args: tuple[Any, ...],
-) -> tuple[tuple[Any, ...], tuple[Callable[[], Any], ...]]:
+) -> tuple[tuple[Any, ...], tuple[Callable[[], object], ...]]:
     """Copy the arguments; return them and what to look at after the call."""
     prepared: list[Any] = []
-    observers: tuple[Callable[[], Any], ...] = ()
+    observers: tuple[Callable[[], object], ...] = ()
     for value in args:
         if isinstance(value, Scene):
             # MuJoCo is imported here, because every other exercise runs without it.
@@ -60,26 +60,36 @@ def prepare_arguments(
     return tuple(prepared), observers
 
 
-def split_answer(parts: tuple[Part, ...], output: Any, seen: tuple[Any, ...]) -> Outcome:
+def split_answer(parts: tuple[Part, ...], output: object, seen: tuple[object, ...]) -> Outcome:
     """Turn what came back into one array (or None) per part."""
     returned = len(parts) - len(seen)
     if returned == 1:
-        values: tuple[Any, ...] = (output,)
+        values: tuple[object, ...] = (output,)
     elif isinstance(output, tuple | list) and len(output) == returned:
         values = tuple(output)
     else:
         wanted = ", ".join(part.name for part in parts[:returned])
-        return Misfit(f"expected {returned} things ({wanted}), yours is {describe(output)}")
-    try:
-        pairs = zip(parts, (*values, *seen), strict=True)
-        return tuple(None if value is None else _read_part(part, value) for part, value in pairs)
-    except TypeError as error:
-        return Misfit(str(error))
+        text = f"expected {returned} things ({wanted}), yours is {describe(output)}"
+        return Misfit(text, is_empty=_is_empty(output))
+    read: list[np.ndarray | None] = []
+    for part, value in zip(parts, (*values, *seen), strict=True):
+        found = None if value is None else _read_part(part, value)
+        if isinstance(found, Misfit):
+            return found
+        read.append(found)
+    return tuple(read)
 
 
-def _read_part(part: Part, value: Any) -> np.ndarray:
+def _is_empty(value: object) -> bool:
+    return value is None or value is Ellipsis
+
+
+def _read_part(part: Part, value: object) -> np.ndarray | Misfit:
     """Read one part; a list of whole numbers has no dtype, so it takes the one that is due."""
-    array = to_array(value, with_texts=part.dtype == "str")
+    array = _to_array(value, with_texts=part.dtype == "str")
+    if array is None:
+        text = f"expected numbers, yours is {describe(value)}"
+        return Misfit(text, is_empty=_is_empty(value))
     if isinstance(value, tuple | list) and array.dtype.kind in "iu":
         if part.dtype == "float":
             return array.astype(np.float64)
@@ -88,18 +98,16 @@ def _read_part(part: Part, value: Any) -> np.ndarray:
     return array
 
 
-def to_array(value: Any, *, with_texts: bool = False) -> np.ndarray:
-    """Read numbers, tuples, lists and arrays as an array, or raise TypeError."""
+def _to_array(value: object, *, with_texts: bool) -> np.ndarray | None:
+    """Read numbers, tuples, lists and arrays as an array; return None where they are none."""
     try:
         array = np.array(value)
-    except Exception as error:
-        raise TypeError(f"expected numbers, yours is {describe(value)}") from error
-    if array.dtype.kind not in ("biufU" if with_texts else "biuf"):
-        raise TypeError(f"expected numbers, yours is {describe(value)}")
-    return array
+    except Exception:  # noqa: BLE001 - ragged lists, and whatever a learner's object raises
+        return None
+    return array if array.dtype.kind in ("biufU" if with_texts else "biuf") else None
 
 
-def describe(value: Any) -> str:
+def describe(value: object) -> str:
     """Name what came back, in words a learner uses."""
     if value is None:
         return "None"
@@ -134,7 +142,7 @@ def _find_learner_line(error: BaseException, function: Function) -> str:
     return f"line {own[-1].lineno}: {source}" if source else f"line {own[-1].lineno}"
 
 
-def find_call_problem(table: CheckTable, function: Any) -> str:
+def find_call_problem(table: CheckTable, function: object) -> str:
     """Say why the function cannot be called with the arguments of the exercise, or ""."""
     if function is None:
         return f"Pass your function as well: check({table.name!r}, {table.name})."

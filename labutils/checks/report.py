@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from labutils.checks.links import find_link
-from labutils.checks.progress import MAX_HINTS, load_progress
+from labutils.checks.progress import MAX_HINTS, Record, load_progress
 from labutils.checks.table import read_words
+from labutils.checks.verdict import HIDDEN_CASES
 
-#: Points for code quality: a reader gives them, no check does.
+#: Points for code quality: a reader gives them, no check does, and no card has them.
 QUALITY_POINTS = 10
 
 
@@ -62,7 +63,7 @@ class Report:
                 f"Challenges: {sum(row.passed for row in challenges)} of {len(challenges)}. They "
                 "go beyond the lab and have no points."
             ),
-            "These are the visible cases: hidden cases decide the grade.",
+            HIDDEN_CASES,
         ]
         row = self.next_row
         if row is None:
@@ -145,11 +146,9 @@ def report(folder: str | Path | None = None) -> Report:
     return Report(tuple(rows), progress.notice)
 
 
-def _describe_state(record: object) -> str:
-    passed = getattr(record, "passed", False)
-    attempts = getattr(record, "attempts", 0)
-    if passed:
+def _describe_state(record: Record | None) -> str:
+    if record is not None and record.passed:
         return "done"
-    if not attempts:
+    if record is None or not record.attempts:
         return "not started"
-    return f"started, {attempts} {'check' if attempts == 1 else 'checks'}"
+    return f"started, {record.attempts} {'check' if record.attempts == 1 else 'checks'}"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from labutils.checks.table import Scene
 
 
-def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[[], Any], ...]]:
+def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[[], bool], ...]]:
     """Build what a scene gives, fresh, and what to look at after the call.
 
     The renderer is the ray caster: its pictures are the same on every machine, with and without

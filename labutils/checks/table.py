@@ -47,9 +47,13 @@ class Raised:
 
 @dataclass(frozen=True)
 class Misfit:
-    """An answer that cannot be taken apart into the expected parts."""
+    """An answer that cannot be taken apart into the expected parts.
+
+    `is_empty` says that nothing came: None, or the ``...`` of a body that nobody has begun.
+    """
 
     text: str
+    is_empty: bool = field(default=False, compare=False)
 
 
 Parts: TypeAlias = "tuple[np.ndarray | None, ...]"
@@ -72,11 +76,8 @@ class Part:
     Parameters
     ----------
     name, kind : str
-        What it is called and how it is compared and drawn: "number", "matrix", "pixel", "rgb",
-        "mapped" (a color-mapped picture), "depth", "mask", "rows", "cloud" (rows in any order),
-        "attached" (one row per point of the cloud before it), "flag", "vector" (few numbers),
-        "choice" (a number that names something), "pixels" (one per row), "boxes" (likewise),
-        "flags", "list" or "names" (one value per thing).
+        What it is called, and which of `labutils.checks.kinds` it is: how it has to look, how it
+        is compared, told and drawn.
     dtype : str
         "float", "uint8", "int", "bool" or "str".
     atol : float

@@ -14,6 +14,12 @@ WIDTH = 96
 #: A verdict is read at a glance, so it stays below this many lines.
 MAX_LINES = 11
 
+#: A pass is none of the grade, so whoever tells of passes says this.
+HIDDEN_CASES = "These are the visible cases: hidden cases decide the grade."
+
+#: What is said wherever the checker cannot judge.
+NOT_YOURS = "This is no mistake of yours, and nothing was counted."
+
 Result = Literal["passed", "failed", "not checked"]
 
 _MARKS: dict[Result, tuple[str, str]] = {

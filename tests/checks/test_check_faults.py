@@ -24,7 +24,7 @@ def test_fault_of_the_checker_is_not_blamed_on_the_learner(tmp_path, monkeypatch
     def break_down(*_):
         raise RuntimeError("a bug of ours")
 
-    monkeypatch.setattr("labutils.checks.find_failure", break_down)
+    monkeypatch.setattr("labutils.checks.judging.find_failure", break_down)
     verdict = check("process_depth", right_depth)
     assert (verdict.result, verdict.passed, verdict.property) == ("not checked", False, None)
     assert "The checker itself failed: RuntimeError: a bug of ours" in verdict.message
@@ -37,7 +37,7 @@ def test_damaged_installation_is_not_blamed_on_the_learner(target, monkeypatch):
     def fail(*_):
         raise TableError("the check tables cannot be read (gone)")
 
-    monkeypatch.setattr(f"labutils.checks.{target}", fail)
+    monkeypatch.setattr(f"labutils.checks.keeping.{target}", fail)
     verdict = check("process_depth", right_depth)
     assert verdict.result == "not checked"
     assert "cannot be read" in verdict.message

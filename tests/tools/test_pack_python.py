@@ -5,12 +5,14 @@ import gzip
 import io
 import json
 import re
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
 import pytest
 
-from labutils.checks.table import load_table, read_words
+from labutils.checks.table import TABLES, load_table, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
 from tools.vendor import frontend, pack_python, page_python, page_wheels
@@ -132,6 +134,24 @@ def test_the_library_is_the_one_of_the_notebook(wheels):
     assert {"labutils/__init__.py", "labutils/checks/gates.py"} <= set(names)
     assert "labutils/checks/tables/exercises.json" in names
     assert not [name for name in names if name.endswith(".npz")]
+
+
+def test_packed_library_checks_an_answer_by_itself(wheels, tmp_path):
+    manifest = pack_python.pack(wheels, "1.0")
+    (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
+    with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
+        archive.extractall(tmp_path)
+    name = "intrinsics_matrix"
+    content = (TABLES / f"{name}.npz").read_bytes()
+    (tmp_path / TABLES.relative_to(ROOT) / f"{name}.npz").write_bytes(content)
+    code = (
+        "import sys; sys.path.insert(0, '.'); import labutils, numpy as np;"
+        f"print(labutils.__file__, labutils.check({name!r}, lambda *_: np.eye(3)).property)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == [str(tmp_path / "labutils" / "__init__.py"), "value"]
 
 
 def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels):

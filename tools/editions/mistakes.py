@@ -11,13 +11,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from labutils.checks.compare import (
-    align_rows,
-    find_wrong,
-    get_differences,
-    is_same_outcome,
-)
+from labutils.checks.compare import align_rows, is_same_outcome
 from labutils.checks.gates import find_failure
+from labutils.checks.kinds import get_kind
 from labutils.checks.table import CheckTable, Misfit, Outcome, Part, Raised
 
 if TYPE_CHECKING:
@@ -138,11 +134,13 @@ def _describe_part(
     if due.shape != answer.shape:
         shapes = [" x ".join(map(str, value.shape)) or "one" for value in (answer, due)]
         return np.inf, f"{part.name}: {shapes[0]} values for {shapes[1]}"
-    if part.kind == "flag":
+    kind = get_kind(part)
+    if kind.is_observed:
         return (0.0 if bool(due) == bool(answer) else np.inf), f"not so: {part.name}"
-    wrong = find_wrong(part, due, answer)
+    wrong = kind.find_wrong(part, due, answer)
     if wrong.any():
-        return _describe_values(part, wrong, np.abs(get_differences(part, due, answer))[wrong])
+        gaps = np.abs(kind.get_differences(part, due, answer))[wrong]
+        return _describe_values(part, wrong, gaps)
     if due.dtype.kind != answer.dtype.kind:
         return np.inf, f"{part.name}: right values, wrong type ({answer.dtype})"
     return 0.0, f"{part.name}: nothing"
@@ -154,7 +152,7 @@ def _describe_values(part: Part, wrong: np.ndarray, gaps: np.ndarray) -> tuple[f
     finite = gaps[np.isfinite(gaps)]
     if not finite.size:
         return np.inf, f"{words}, none of them comparable"
-    if part.kind == "mask":  # a pixel is marked or not: there is no size to it
+    if not get_kind(part).has_sizes:
         return float(wrong.mean()), words
     typical = float(np.median(finite))
     words += f", typically by {_round(typical)}{f' {part.unit}' if part.unit else ''}"
