@@ -27,9 +27,14 @@ from labutils._splat import (
     make_look_at,
     render_points,
 )
+from labutils.cameras import intrinsics_matrix
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+#: Of the camera that draws a cloud: width and height in pixels, and the angle that makes f 1300.
+_CLOUD_SIZE = (1440, 1000)
+_CLOUD_FOV_Y = 2 * np.arctan(500 / 1300)
 
 __all__ = [
     "CATEGORY_COLORS",
@@ -290,8 +295,7 @@ def plot_cloud(
         turned = np.concatenate([turned, axes_points @ turn.T])
         colors = np.concatenate([colors, axes_colors])
     target, eye = get_view_point(points @ turn.T, azimuth_deg, elevation_deg)
-    width, height = 1440, 1000
-    K = np.array([[1300.0, 0, width / 2], [0, 1300.0, height / 2], [0, 0, 1]])
+    K = intrinsics_matrix(_CLOUD_FOV_Y, *_CLOUD_SIZE)
     T_cam_world = make_look_at(eye, target, np.array([0.0, -1.0, 0.0]))
-    rgba = render_points(turned, colors, T_cam_world, K, (width, height), point_size=point_size)
+    rgba = render_points(turned, colors, T_cam_world, K, _CLOUD_SIZE, point_size=point_size)
     return Picture.from_rgb(rgba, f"point cloud of {len(points)} points in the {frame} frame")

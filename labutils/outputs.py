@@ -13,7 +13,8 @@ from tqdm import tqdm
 
 from labutils._constants import HSV_RANGES
 from labutils._guards import check_columns, check_rgb_image
-from labutils.camera_utils import get_camera_intrinsics, render_camera
+from labutils.camera_utils import render_camera
+from labutils.cameras import get_camera_intrinsics
 from labutils.color_segmentation import find_object_centroid, segment_by_color, visualize_detection
 from labutils.depth_processing import visualize_depth
 from labutils.ply import write_ply

@@ -37,7 +37,12 @@ MANIFEST = ROOT / "_build" / "page_python.json"
 FOLDER = "python"  # below the static files of the book
 SCRIPTS = ROOT / "book" / "_page_python"
 RUNS_IN_WORKER = ("worker.js", "page_runner.py")
-LIBRARY = ("labutils/*.py", "labutils/checks/*.py", "labutils/checks/tables/exercises.json")
+LIBRARY = (
+    "labutils/*.py",
+    "labutils/checks/*.py",
+    "labutils/checks/tables/exercises.json",
+    "labutils/renderers/*.py",
+)
 
 PIECE = 1 << 20  # bytes: small enough that loading shows progress
 # Of the wheels, what no reader's code needs: a third of NumPy.
