@@ -171,6 +171,7 @@ def check_positive(name: str, value: Any, unit: str) -> float:
     """Return a finite number above 0 as a float."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name}: expected {unit} as a number, got {_describe(value)}")
-    if not 0 < value < float("inf"):
+    number = float(value)
+    if not 0 < number < float("inf"):
         raise ValueError(f"{name}: expected {unit} above 0, got {value}")
-    return float(value)
+    return number

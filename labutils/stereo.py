@@ -257,8 +257,9 @@ def _multiply(K: np.ndarray, baseline: float) -> float:
 def _check_column(u: Any, row: np.ndarray) -> int:
     if isinstance(u, bool) or not isinstance(u, numbers.Integral):
         raise TypeError(f"u: expected a whole number, got {type(u).__name__} {u!r}")
-    if not 0 <= u < row.size:
+    column = int(u)
+    if not 0 <= column < row.size:
         raise ValueError(f"u: expected a column from 0 to {row.size - 1}, got {u}")
-    if np.isnan(row[u]):
+    if np.isnan(row[column]):
         raise ValueError(f"u: expected a column that sees a surface, got {u}: its disparity is NaN")
-    return int(u)
+    return column

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from labutils._constants import MAX_DEPTH
+from labutils._constants import MAX_DEPTH, TURN_WORLD
 from labutils._guards import check_pixel, check_pose, check_real_array
 from labutils._splat import get_view_point
 from labutils.depth_values import find_valid_depth
@@ -22,9 +22,6 @@ _AZIMUTH_DEG, _ELEVATION_DEG = 40.0, -5.0
 _DISTANCE = 1.8  # in radii of the cloud
 #: How far from the middle of the cloud toward the camera one looks, so that both are in sight.
 _TOWARD_CAMERA = 0.05
-
-#: From the world's axes (x forward, y left, z up) to x right, y down, z forward.
-_TURN_WORLD = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 
 
 class Limits(NamedTuple):
@@ -46,7 +43,7 @@ def turn_to_view(T_world_cam: np.ndarray | None) -> np.ndarray:
     if T_world_cam is None:
         return np.eye(4)
     turn = np.eye(4)
-    turn[:3, :3] = _TURN_WORLD
+    turn[:3, :3] = TURN_WORLD
     return turn @ T_world_cam
 
 
