@@ -60,7 +60,7 @@ def render_raw_depth(
     from labutils.renderers import opengl, rays  # noqa: PLC0415
 
     render_camera(model, data, renderer, camera_name)
-    reader = opengl if opengl.draws(renderer) else rays
+    reader = opengl if opengl.is_used_by(renderer) else rays
     return reader.read_raw_depth(model, renderer)
 
 

@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from labutils.renderers.protocol import Renderer
 
 
-def draws(renderer: Renderer) -> bool:
-    """Tell whether a renderer draws with OpenGL, so that it fills a depth buffer."""
+def is_used_by(renderer: Renderer) -> bool:
+    """Tell whether a renderer draws with OpenGL, and so fills a depth buffer."""
     return isinstance(renderer, mujoco.Renderer)
 
 

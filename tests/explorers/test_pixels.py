@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 import traitlets
 
-from labutils import explorers
 from labutils.explorers import (
     explore_cloud,
     explore_depth_range,
     explore_hsv,
     explore_stereo,
 )
-from labutils.explorers._base import PixelView, View, read_size
+from labutils.explorers._base import PixelView, read_size
+from tests.helpers.views import find_view_classes
 
 WIDTH, HEIGHT = 9, 6
 RGB = np.random.default_rng(1).integers(0, 256, (HEIGHT, WIDTH, 3), np.uint8)
@@ -34,13 +34,8 @@ def explorer(request):
 
 
 def test_every_view_with_a_pixel_is_tried_here():
-    own = [one for one in _find_views(View) if one.__module__.startswith(explorers.__name__)]
-    with_pixel = {one.__name__ for one in own if one.class_traits().get("pixel")} - {"PixelView"}
+    with_pixel = {one.__name__ for one in find_view_classes() if "pixel" in one.class_traits()}
     assert with_pixel == set(MAKERS)
-
-
-def _find_views(kind):
-    return [one for child in kind.__subclasses__() for one in (child, *_find_views(child))]
 
 
 @pytest.mark.parametrize(

@@ -49,7 +49,7 @@ def test_the_truth_hands_out_the_renderer_of_the_rays():
 
 def test_opengl_is_told_from_rays(scene):
     with rays.RaycastRenderer(scene[0], 8, 8) as renderer:
-        assert not opengl.draws(renderer)
+        assert not opengl.is_used_by(renderer)
 
 
 def test_raw_depth_of_rays_is_exact_and_leaves_color_mode(scene):
