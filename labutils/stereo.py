@@ -164,9 +164,11 @@ def find_depth_error(
     error = check_positive("match_error", match_error, "pixels")
     product = _multiply(K, baseline)
     depth = np.asarray(depth_metric, dtype=np.float64)
-    bounded = disparity > error
-    largest = np.where(disparity <= error, np.inf, np.nan)
-    np.divide(depth**2 * error, product - depth * error, out=largest, where=bounded)
+    left = product - depth * error
+    # Next to d = e rounding may leave nothing where there should be a little: no far end either.
+    bounded = (disparity > error) & (left > 0)
+    largest = np.where(np.isnan(disparity), np.nan, np.inf)
+    np.divide(depth**2 * error, left, out=largest, where=bounded)
     return largest
 
 

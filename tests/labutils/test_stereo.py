@@ -74,7 +74,14 @@ def test_a_disparity_no_larger_than_its_error_has_no_far_end(K):
         near, far = find_depth_interval(depth, error, K, BASELINE)
         assert near < depth
         assert np.isfinite(far) == bounded
-        assert np.isfinite(find_depth_error(depth, error, K, BASELINE)) == bounded
+        assert bounded or np.isinf(find_depth_error(depth, error, K, BASELINE))
+
+
+def test_no_rounding_next_to_the_limit_makes_an_error_negative(K):
+    for depth in np.random.default_rng(8).uniform(0.3, 5, 300):
+        d = depth_to_disparity(depth, K, BASELINE)
+        for error in (np.nextafter(d, 0), np.nextafter(np.nextafter(d, 0), 0)):
+            assert find_depth_error(depth, float(error), K, BASELINE) > 0
 
 
 def test_the_largest_error_is_the_far_end_minus_the_depth(K, depths):
