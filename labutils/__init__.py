@@ -1,8 +1,8 @@
 """What a chapter imports: render a scene, measure it, and compare with the truth.
 
 Frames, units and pixel grid are stated once, on the book's conventions page; names carry them.
-Everything that needs MuJoCo is imported on first use, so that the rest also runs where MuJoCo does
-not exist: in the browser.
+Everything that needs more than NumPy is imported on first use: geometry stands on NumPy alone, and
+what needs no MuJoCo also runs where it does not exist, in the browser.
 """
 
 from __future__ import annotations
@@ -11,39 +11,26 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from labutils._constants import HSV_RANGES, MAX_DEPTH, MIN_DEPTH
-from labutils.checks import check, hint, report
-from labutils.color_segmentation import (
-    find_object_centroid,
-    segment_by_color,
-    visualize_detection,
-)
-from labutils.depth_processing import (
-    find_valid_depth,
-    get_clip_planes,
-    metric_to_raw,
-    process_depth,
-    render_raw_depth,
-    visualize_depth,
-)
+from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
+from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
 from labutils.ply import write_ply
-from labutils.pointcloud import (
+from labutils.projection import (
     camera_to_world,
-    depth_to_pointcloud,
     pixels_to_points,
     points_to_pixels,
-    visualize_pointcloud,
     world_to_camera,
 )
 from labutils.rendering import NoOpenGLWarning, choose_gl_backend, is_gl_available, make_renderer
 
 if TYPE_CHECKING:
-    from labutils.camera_utils import (
-        get_camera_intrinsics,
-        get_camera_pose,
-        intrinsics_matrix,
-        render_camera,
-        render_segmentation,
+    from labutils.camera_utils import render_camera, render_segmentation
+    from labutils.checks import check, hint, report
+    from labutils.color_segmentation import (
+        find_object_centroid,
+        segment_by_color,
+        visualize_detection,
     )
+    from labutils.depth_processing import render_raw_depth, visualize_depth
     from labutils.outputs import (
         save_depth_view,
         save_detection_result,
@@ -52,6 +39,7 @@ if TYPE_CHECKING:
         save_rgb_view,
         save_scene_pointcloud,
     )
+    from labutils.pointcloud import depth_to_pointcloud, visualize_pointcloud
     from labutils.raycast import raycast_depth, raycast_points
     from labutils.scene import make_scene
 
@@ -59,29 +47,38 @@ choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before a
 
 __version__ = "0.1.0"
 
-#: Public name to the module it lives in, for what needs MuJoCo.
-_NEEDS_MUJOCO = {
-    "get_camera_intrinsics": "camera_utils",
-    "get_camera_pose": "camera_utils",
-    "intrinsics_matrix": "camera_utils",
+#: Public name to the module it lives in, for what needs more than NumPy.
+_ON_FIRST_USE = {
+    "check": "checks",
+    "depth_to_pointcloud": "pointcloud",
+    "find_object_centroid": "color_segmentation",
+    "hint": "checks",
     "make_scene": "scene",
     "raycast_depth": "raycast",
     "raycast_points": "raycast",
     "render_camera": "camera_utils",
+    "render_raw_depth": "depth_processing",
     "render_segmentation": "camera_utils",
+    "report": "checks",
     "save_depth_view": "outputs",
     "save_detection_result": "outputs",
     "save_outputs": "outputs",
     "save_pointcloud_xyz": "outputs",
     "save_rgb_view": "outputs",
     "save_scene_pointcloud": "outputs",
+    "segment_by_color": "color_segmentation",
+    "visualize_depth": "depth_processing",
+    "visualize_detection": "color_segmentation",
+    "visualize_pointcloud": "pointcloud",
 }
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _NEEDS_MUJOCO:
-        raise AttributeError(f"module 'labutils' has no attribute {name!r}")
-    return getattr(import_module(f"labutils.{_NEEDS_MUJOCO[name]}"), name)
+    if name in _ON_FIRST_USE:
+        return getattr(import_module(f"labutils.{_ON_FIRST_USE[name]}"), name)
+    if name in _ON_FIRST_USE.values():
+        return import_module(f"labutils.{name}")  # ``labutils.pointcloud`` without an import of it
+    raise AttributeError(f"module 'labutils' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

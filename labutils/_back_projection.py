@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
-from labutils.depth_processing import find_valid_depth
+from labutils.depth_values import find_valid_depth
 
 #: 80 rows of a 640-pixel picture: all temporaries of a block fit into the cache.
 _BLOCK_ROWS = 80

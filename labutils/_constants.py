@@ -11,6 +11,11 @@ import numpy as np
 FLIP_YZ = np.diag([1.0, -1.0, -1.0])
 FLIP_YZ.setflags(write=False)
 
+#: Turns the world's axes (x forward, y left, z up) into those of a view of it (x right, y down,
+#: z forward).
+TURN_WORLD = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
+TURN_WORLD.setflags(write=False)
+
 #: A depth reading at or below this is no surface but a zero or a glitch, in meters.
 MIN_DEPTH = 0.01
 

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from labutils._constants import MAX_HUE
+
 _INTEGER_KINDS = "iu"
 _REAL_KINDS = "iuf"
 
@@ -74,6 +76,35 @@ def check_mask(name: str, value: Any) -> np.ndarray:
     return array
 
 
+def check_pixel(name: str, value: Any, width: int, height: int) -> tuple[int, int]:
+    """Return a pixel (u, v) of a picture: column and row, two ints."""
+    given = tuple(value) if np.iterable(value) else (value,)
+    if any(isinstance(one, bool) or not isinstance(one, numbers.Integral) for one in given):
+        raise TypeError(f"{name}: expected (u, v), two whole numbers, got {_describe(value)}")
+    if len(given) != 2 or not (0 <= given[0] < width and 0 <= given[1] < height):
+        raise ValueError(
+            f"{name}: expected (u, v) within {width} x {height} pixels, got {_describe(value)}"
+        )
+    return int(given[0]), int(given[1])
+
+
+def check_hsv_range(name: str, value: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return an HSV range in OpenCV units as (low, high), two integer arrays of 3."""
+    limits = np.asarray(value)
+    if limits.shape != (2, 3):
+        raise ValueError(f"{name}: expected ((h, s, v), (h, s, v)), got {value!r}")
+    if limits.dtype.kind not in "iu":
+        raise TypeError(f"{name}: expected whole numbers, got {value!r}")
+    low, high = limits.astype(np.int64)
+    top = np.array([MAX_HUE, 255, 255])
+    if (limits < 0).any() or (limits > top).any():
+        hint = " (hue is 0-179 in OpenCV: degrees halved)" if (limits[:, 0] > MAX_HUE).any() else ""
+        raise ValueError(f"{name}: expected 0 to {tuple(top.tolist())}, got {value!r}{hint}")
+    if low[1] > high[1] or low[2] > high[2]:
+        raise ValueError(f"{name}: only hue wraps; expected low <= high for s and v, got {value!r}")
+    return low, high
+
+
 def check_intrinsics(value: Any) -> np.ndarray:
     """Return K as 3x3 float64 with fx, fy > 0, no skew and the last row 0, 0, 1."""
     matrix = check_real_array("K", value).astype(np.float64)
@@ -134,3 +165,13 @@ def check_depth_limits(near_name: str, near: Any, far_name: str, far: Any) -> tu
     if not 0 < near < far < float("inf"):
         raise ValueError(f"expected 0 < {near_name} < {far_name}, got {near} and {far}")
     return float(near), float(far)
+
+
+def check_positive(name: str, value: Any, unit: str) -> float:
+    """Return a finite number above 0 as a float."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name}: expected {unit} as a number, got {_describe(value)}")
+    number = float(value)
+    if not 0 < number < float("inf"):
+        raise ValueError(f"{name}: expected {unit} above 0, got {value}")
+    return number

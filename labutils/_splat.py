@@ -65,8 +65,11 @@ def render_points(
     in_cam = points @ T_cam_world[:3, :3].T + T_cam_world[:3, 3]
     in_front = in_cam[:, 2] > 1e-6
     in_cam, colors = in_cam[in_front], colors[in_front]
-    u = np.round(K[0, 0] * in_cam[:, 0] / in_cam[:, 2] + K[0, 2]).astype(np.int64)
-    v = np.round(K[1, 1] * in_cam[:, 1] / in_cam[:, 2] + K[1, 2]).astype(np.int64)
+    # Of each square the first column and row, so that its middle lies next to the point: a square
+    # of even size has its middle between two pixels.
+    half = (point_size - 1) / 2
+    u = np.round(K[0, 0] * in_cam[:, 0] / in_cam[:, 2] + K[0, 2] - half).astype(np.int64)
+    v = np.round(K[1, 1] * in_cam[:, 1] / in_cam[:, 2] + K[1, 2] - half).astype(np.int64)
     order = np.argsort(-in_cam[:, 2], kind="stable")  # far first: near ones overwrite them
     u, v, colors = u[order], v[order], colors[order]
     rgba = np.zeros((height, width, 4), np.uint8)
@@ -75,7 +78,7 @@ def render_points(
     pixel[:, 3] = 255
     # Offsets inside, points outside would paint far points over near neighbors: so depth is
     # tested across all offsets at once, by painting points one after another, far to near.
-    offsets = np.arange(point_size) - (point_size - 1) // 2
+    offsets = np.arange(point_size)
     du, dv = (grid.ravel() for grid in np.meshgrid(offsets, offsets))
     uu = (u[:, None] + du).ravel()
     vv = (v[:, None] + dv).ravel()

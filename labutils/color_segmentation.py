@@ -5,13 +5,11 @@ Taught in: step 4.
 
 from __future__ import annotations
 
-from typing import Any
-
 import cv2
 import numpy as np
 
 from labutils._constants import MAX_HUE, HsvRange
-from labutils._guards import check_mask, check_rgb_image
+from labutils._guards import check_hsv_range, check_mask, check_rgb_image
 
 #: Opening with it removes specks up to 4 pixels wide; closing fills such holes.
 _KERNEL = np.ones((5, 5), dtype=np.uint8)
@@ -49,7 +47,7 @@ def segment_by_color(rgb_image: np.ndarray, target_hsv_range: HsvRange) -> np.nd
     .. [1] OpenCV documentation, color conversions, RGB to HSV.
     """
     rgb = check_rgb_image("rgb_image", rgb_image)
-    low, high = _check_hsv_range(target_hsv_range)
+    low, high = check_hsv_range("target_hsv_range", target_hsv_range)
     hsv = cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV)
     if low[0] <= high[0]:
         mask = cv2.inRange(hsv, low, high)
@@ -132,20 +130,3 @@ def visualize_detection(
         cv2.circle(result, centroid, 10, (255, 255, 255), 4)
         cv2.circle(result, centroid, 10, (0, 255, 0), 2)
     return result
-
-
-def _check_hsv_range(value: Any, name: str = "target_hsv_range") -> tuple[np.ndarray, np.ndarray]:
-    """Return (low, high) as int arrays of 3, or raise."""
-    limits = np.asarray(value)
-    if limits.shape != (2, 3):
-        raise ValueError(f"{name}: expected ((h, s, v), (h, s, v)), got {value!r}")
-    if limits.dtype.kind not in "iu":
-        raise TypeError(f"{name}: expected whole numbers, got {value!r}")
-    low, high = limits.astype(np.int64)
-    top = np.array([MAX_HUE, 255, 255])
-    if (limits < 0).any() or (limits > top).any():
-        hint = " (hue is 0-179 in OpenCV: degrees halved)" if (limits[:, 0] > MAX_HUE).any() else ""
-        raise ValueError(f"{name}: expected 0 to {tuple(top.tolist())}, got {value!r}{hint}")
-    if low[1] > high[1] or low[2] > high[2]:
-        raise ValueError(f"{name}: only hue wraps; expected low <= high for s and v, got {value!r}")
-    return low, high

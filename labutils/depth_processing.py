@@ -1,5 +1,6 @@
 """From the depth buffer to meters, and from meters to a picture.
 
+The arithmetic is in `labutils.depth_values`; its functions can be imported from here too.
 Taught in: step 3.
 """
 
@@ -10,108 +11,26 @@ from typing import TYPE_CHECKING
 import cv2
 import numpy as np
 
-from labutils._constants import MAX_DEPTH, MIN_DEPTH
-from labutils._guards import check_depth_image, check_depth_limits, check_real_array
+from labutils._guards import check_depth_image
+from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
 
 if TYPE_CHECKING:
     import mujoco
 
-    from labutils.rendering import AnyRenderer
+    from labutils.renderers.protocol import Renderer
 
-
-def get_clip_planes(model: mujoco.MjModel) -> tuple[float, float]:
-    """Read the near and far clip planes of a model in meters.
-
-    Convention
-    ----------
-    ``vis.map.znear`` and ``zfar`` are multiples of ``stat.extent``, the size of the scene, not
-    meters.
-
-    Returns
-    -------
-    tuple of float
-        (near, far) in meters.
-    """
-    extent = float(model.stat.extent)
-    # MuJoCo keeps the factors in float32; the product with the extent is rounded to what the
-    # file says, so that 0.01 reads 0.01 and not 0.009999999776.
-    near = float(f"{model.vis.map.znear * extent:.6g}")
-    far = float(f"{model.vis.map.zfar * extent:.6g}")
-    return near, far
-
-
-def process_depth(depth_raw: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
-    """Turn window-space depth into meters.
-
-    Convention
-    ----------
-    Window depth is 0 at the near plane and 1 at the far plane, and hyperbolic in between: half
-    of its range is spent on the first few centimeters. (MuJoCo draws with *reversed* z inside, 1
-    near and 0 far; pass ``1 - d`` for such a buffer.) `mujoco.Renderer` has done this step
-    already: do not apply it to its depth.
-
-    Parameters
-    ----------
-    depth_raw : array-like, real, any shape
-        Window depth; values outside [0, 1] are clipped, NaN stays NaN.
-    near, far : float
-        Clip planes in meters, see `get_clip_planes`.
-
-    Returns
-    -------
-    ndarray, float32 or float64, same shape
-        Meters along the optical axis. float64 only where float64 came in.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the depth is not real numbers, or not 0 < near < far.
-
-    Examples
-    --------
-    >>> process_depth(np.array([0.0, 0.5, 1.0]), near=1.0, far=3.0)
-    array([1. , 1.5, 3. ])
-
-    References
-    ----------
-    .. [1] OpenGL 2.1 reference, ``glFrustum``, with the depth range 0 to 1.
-    """
-    raw = check_real_array("depth_raw", depth_raw)
-    near, far = check_depth_limits("near", near, "far", far)
-    dtype = raw.dtype if raw.dtype == np.float64 else np.float32
-    raw = np.clip(raw.astype(np.float64), 0.0, 1.0)
-    return (near * far / (far - raw * (far - near))).astype(dtype)
-
-
-def metric_to_raw(depth_metric: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
-    """Turn meters into window-space depth: the inverse of `process_depth`.
-
-    Parameters
-    ----------
-    depth_metric : array-like, real, any shape
-        Meters; values outside [near, far] are clipped to it, NaN stays NaN.
-    near, far : float
-        Clip planes in meters.
-
-    Returns
-    -------
-    ndarray, float64, same shape
-        Window depth in [0, 1]. Double precision, because float32 keeps only a few levels far
-        away (see step 3).
-
-    Raises
-    ------
-    TypeError, ValueError
-        As in `process_depth`.
-    """
-    metric = check_real_array("depth_metric", depth_metric)
-    near, far = check_depth_limits("near", near, "far", far)
-    metric = np.clip(metric.astype(np.float64), near, far)
-    return (far - near * far / metric) / (far - near)
+__all__ = [
+    "find_valid_depth",
+    "get_clip_planes",
+    "metric_to_raw",
+    "process_depth",
+    "render_raw_depth",
+    "visualize_depth",
+]
 
 
 def render_raw_depth(
-    model: mujoco.MjModel, data: mujoco.MjData, renderer: AnyRenderer, camera_name: str
+    model: mujoco.MjModel, data: mujoco.MjData, renderer: Renderer, camera_name: str
 ) -> np.ndarray:
     """Read the depth buffer before anything converts it.
 
@@ -135,57 +54,14 @@ def render_raw_depth(
     ValueError
         If the model has no such camera.
     """
-    # MuJoCo is imported here so that the rest of this module runs where it does not exist: in the
-    # browser.
-    import mujoco  # noqa: PLC0415
-
+    # Imported here, because all of this needs MuJoCo and the rest of the module also runs where it
+    # does not exist: in the browser.
     from labutils.camera_utils import render_camera  # noqa: PLC0415
-    from labutils.rendering import is_gl_available  # noqa: PLC0415
+    from labutils.renderers import opengl, rays  # noqa: PLC0415
 
-    _, depth = render_camera(model, data, renderer, camera_name)
-    if not (is_gl_available() and isinstance(renderer, mujoco.Renderer)):
-        return metric_to_raw(depth, *get_clip_planes(model)).astype(np.float32)
-    height, width = depth.shape
-    raw = np.empty((height, width), dtype=np.float32)
-    gl_context = mujoco.GLContext(width, height)
-    try:
-        gl_context.make_current()
-        context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
-        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
-        rect = mujoco.MjrRect(0, 0, width, height)
-        mujoco.mjr_render(rect, renderer.scene, context)
-        mujoco.mjr_readPixels(None, raw, rect, context)
-        context.free()
-    finally:
-        gl_context.free()
-    return np.flipud(raw).copy()  # OpenGL's first row is the bottom one
-
-
-def find_valid_depth(
-    depth_metric: np.ndarray, min_depth: float = MIN_DEPTH, max_depth: float = MAX_DEPTH
-) -> np.ndarray:
-    """Mark the pixels whose depth is a surface.
-
-    Parameters
-    ----------
-    depth_metric : array-like, real, any shape
-        Meters.
-    min_depth, max_depth : float
-        Readings at or below `min_depth` or at or beyond `max_depth` are no surface.
-
-    Returns
-    -------
-    ndarray, bool, same shape
-        False also for NaN and infinity.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the depth is not real numbers, or not 0 < min_depth < max_depth.
-    """
-    depth = check_real_array("depth_metric", depth_metric)
-    min_depth, max_depth = check_depth_limits("min_depth", min_depth, "max_depth", max_depth)
-    return (depth > min_depth) & (depth < max_depth)  # any comparison with NaN is False
+    render_camera(model, data, renderer, camera_name)
+    reader = opengl if opengl.is_used_by(renderer) else rays
+    return reader.read_raw_depth(model, renderer)
 
 
 def visualize_depth(depth_metric: np.ndarray, max_depth: float = 5.0) -> np.ndarray:

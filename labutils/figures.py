@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from labutils._constants import TURN_WORLD
 from labutils._guards import check_columns, check_depth_image
 from labutils._picture import (
     CATEGORY_COLORS,
@@ -27,9 +28,14 @@ from labutils._splat import (
     make_look_at,
     render_points,
 )
+from labutils.cameras import intrinsics_matrix
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+#: The camera that draws a cloud: width and height in pixels, and K with f = 1300.
+_CLOUD_SIZE = (1440, 1000)
+_CLOUD_K = intrinsics_matrix(2 * np.arctan(500 / 1300), *_CLOUD_SIZE)
 
 __all__ = [
     "CATEGORY_COLORS",
@@ -282,16 +288,13 @@ def plot_cloud(
         raise ValueError(f"frame: expected 'camera' or 'world', got {frame!r}")
     if colors is None:
         colors = get_depth_colors(points)
-    # From the world's axes (x forward, y left, z up) to x right, y down, z forward.
-    turn = np.eye(3) if frame == "camera" else np.array([[0, -1, 0], [0, 0, -1], [1, 0, 0.0]])
+    turn = np.eye(3) if frame == "camera" else TURN_WORLD
     turned = points @ turn.T
     if axes:
         axes_points, axes_colors = make_axes_points(0.2)
         turned = np.concatenate([turned, axes_points @ turn.T])
         colors = np.concatenate([colors, axes_colors])
     target, eye = get_view_point(points @ turn.T, azimuth_deg, elevation_deg)
-    width, height = 1440, 1000
-    K = np.array([[1300.0, 0, width / 2], [0, 1300.0, height / 2], [0, 0, 1]])
     T_cam_world = make_look_at(eye, target, np.array([0.0, -1.0, 0.0]))
-    rgba = render_points(turned, colors, T_cam_world, K, (width, height), point_size=point_size)
+    rgba = render_points(turned, colors, T_cam_world, _CLOUD_K, _CLOUD_SIZE, point_size=point_size)
     return Picture.from_rgb(rgba, f"point cloud of {len(points)} points in the {frame} frame")

@@ -13,7 +13,8 @@ from tqdm import tqdm
 
 from labutils._constants import HSV_RANGES
 from labutils._guards import check_columns, check_rgb_image
-from labutils.camera_utils import get_camera_intrinsics, render_camera
+from labutils.camera_utils import render_camera
+from labutils.cameras import get_camera_intrinsics
 from labutils.color_segmentation import find_object_centroid, segment_by_color, visualize_detection
 from labutils.depth_processing import visualize_depth
 from labutils.ply import write_ply
@@ -53,7 +54,8 @@ def save_rgb_view(folder: str | Path, rgb_image: np.ndarray) -> Path:
 def save_depth_view(folder: str | Path, depth_metric: np.ndarray, max_depth: float = 5.0) -> Path:
     """Write ``depth_view.png``: blue close, red at `max_depth` meters and beyond.
 
-    Parameters and errors as in `visualize_depth`; returns the file written.
+    `folder` as in `save_rgb_view`, other parameters and errors as in `visualize_depth`; returns the
+    file written.
     """
     return _save_bgr(folder, "depth_view.png", visualize_depth(depth_metric, max_depth))
 
@@ -66,7 +68,8 @@ def save_detection_result(
 ) -> Path:
     """Write ``detection_result.png``: the picture with the object outlined and its center marked.
 
-    Parameters and errors as in `visualize_detection`; returns the file written.
+    `folder` as in `save_rgb_view`, other parameters and errors as in `visualize_detection`; returns
+    the file written.
     """
     return _save_rgb(folder, "detection_result.png", visualize_detection(rgb_image, centroid, mask))
 
@@ -74,7 +77,11 @@ def save_detection_result(
 def save_scene_pointcloud(
     folder: str | Path, points: np.ndarray, colors: np.ndarray | None = None
 ) -> Path:
-    """Write ``scene_pointcloud.ply``; parameters and errors as in `write_ply`."""
+    """Write ``scene_pointcloud.ply``.
+
+    `folder` as in `save_rgb_view`, other parameters and errors as in `write_ply`; returns the file
+    written.
+    """
     return write_ply(_make_folder(folder) / "scene_pointcloud.ply", points, colors)
 
 

@@ -1,4 +1,4 @@
-"""The renderer contract: OpenGL where it works, the ray caster where it does not.
+"""Which renderer draws: OpenGL where it works, the ray caster where it does not.
 
 Chooses the OpenGL backend when the library is imported, because MuJoCo reads ``MUJOCO_GL`` once,
 at its own import. Taught in: step 1 and the troubleshooting page.
@@ -12,14 +12,12 @@ import importlib
 import os
 import sys
 import warnings
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     import mujoco
 
-    from labutils.raycast import RaycastRenderer
-
-    AnyRenderer: TypeAlias = "mujoco.Renderer | RaycastRenderer"
+    from labutils.renderers.protocol import Renderer
 
 #: Values of MUJOCO_GL that MuJoCo itself understands as "no OpenGL".
 _SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
@@ -94,7 +92,7 @@ def _tell_mujoco() -> None:
     mujoco.GLContext = module.GLContext  # the copy that mujoco/__init__.py made
 
 
-def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer:
+def make_renderer(model: mujoco.MjModel, height: int, width: int) -> Renderer:
     """Make a renderer that works on this machine.
 
     Convention
@@ -130,7 +128,7 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> AnyRenderer
     import mujoco  # noqa: PLC0415 - the backend is chosen first, then MuJoCo reads it
 
     from labutils._guards import check_image_size  # noqa: PLC0415 - see above
-    from labutils.raycast import RaycastRenderer  # noqa: PLC0415 - see above
+    from labutils.renderers.rays import RaycastRenderer  # noqa: PLC0415 - see above
 
     width, height = check_image_size(width, height)
     reason = _find_gl_problem()

@@ -15,7 +15,7 @@ import ipywidgets
 import numpy as np
 import traitlets
 
-from labutils._guards import check_depth_image, check_rgb_image
+from labutils._guards import check_depth_image, check_pixel, check_rgb_image
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -59,6 +59,30 @@ class View(anywidget.AnyWidget):
     def draw_poster(self) -> np.ndarray:
         """Draw what the view shows at first: uint8 RGB, for print and for pages without scripts."""
         raise NotImplementedError
+
+
+class PixelView(View):
+    """A view of a picture in which a pixel is picked."""
+
+    #: The trait that holds the picture as PNG.
+    PICTURE: ClassVar[str]
+
+    #: The picked pixel [u, v], or [] for none.
+    pixel: Any = traitlets.List(traitlets.Int()).tag(sync=True)
+
+    @property
+    def picture_size(self) -> tuple[int, int]:
+        """Width and height of the picture in pixels."""
+        return read_size(getattr(self, self.PICTURE))
+
+    @traitlets.validate("pixel")
+    def _check_pixel(self, proposal: dict[str, Any]) -> list[int]:
+        if not proposal["value"]:
+            return []
+        try:
+            return list(check_pixel("pixel", proposal["value"], *self.picture_size))
+        except ValueError as error:
+            raise traitlets.TraitError(str(error)) from None
 
 
 class Control(NamedTuple):
@@ -128,6 +152,17 @@ class Explorer(ipywidgets.VBox):  # type: ignore[misc]  # ipywidgets has no type
         return self.view.describe()
 
 
+class PixelExplorer(Explorer):
+    """An explorer whose view has a picked pixel."""
+
+    view: PixelView
+
+    @property
+    def pixel(self) -> tuple[int, int] | None:
+        """Column and row of the picked pixel; None where none is picked."""
+        return tuple(self.view.pixel) or None
+
+
 def make_slider(
     description: str, limits: tuple[float, float], step: float, *, unit: str = "", digits: int = 0
 ) -> ipywidgets.Widget:
@@ -194,6 +229,13 @@ def decode_depth(png: bytes) -> np.ndarray:
 def decode_rgb(png: bytes) -> np.ndarray:
     """Read back what `encode_rgb` wrote: uint8 (H, W, 3), RGB."""
     return cv2.cvtColor(_decode(png), cv2.COLOR_BGR2RGB)
+
+
+def read_size(png: bytes) -> tuple[int, int]:
+    """Return width and height of a PNG, from its header alone."""
+    if len(png) < 24:
+        raise ValueError(f"png: expected the bytes of a PNG file, got {len(png)} others")
+    return int.from_bytes(png[16:20], "big"), int.from_bytes(png[20:24], "big")
 
 
 def _encode(image: np.ndarray) -> bytes:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from labutils._splat import get_depth_colors, render_points
+from labutils.cameras import intrinsics_matrix
 from labutils.explorers._cloud_start import turn_to_view
 
 if TYPE_CHECKING:
@@ -49,9 +50,9 @@ def draw_cloud(
     orbit: Mapping[str, Any],
 ) -> np.ndarray:
     """Draw points of the camera frame as the explorer does: uint8 RGB (480, 640, 3)."""
-    width, height = _SIZE
-    focal = height / 2 / np.tan(np.radians(VIEW_FOV_DEG / 2))
-    K = np.array([[focal, 0, width / 2], [0, focal, height / 2], [0, 0, 1]])
+    # The page counts from the corner of the first pixel, where the middle is at W/2; the point
+    # renderer counts from its center, where the same middle is at (W-1)/2.
+    K = intrinsics_matrix(np.radians(VIEW_FOV_DEG), *_SIZE)
     T_eye_cam = make_view_transform(orbit) @ turn_to_view(T_world_cam)
     if colors is None:
         colors = get_depth_colors(points)

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from labutils._constants import MAX_DEPTH
-from labutils._guards import check_pose, check_real_array
+from labutils._constants import MAX_DEPTH, TURN_WORLD
+from labutils._guards import check_pixel, check_pose, check_real_array
 from labutils._splat import get_view_point
-from labutils.depth_processing import find_valid_depth
+from labutils.depth_values import find_valid_depth
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,9 +22,6 @@ _AZIMUTH_DEG, _ELEVATION_DEG = 40.0, -5.0
 _DISTANCE = 1.8  # in radii of the cloud
 #: How far from the middle of the cloud toward the camera one looks, so that both are in sight.
 _TOWARD_CAMERA = 0.05
-
-#: From the world's axes (x forward, y left, z up) to x right, y down, z forward.
-_TURN_WORLD = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 
 
 class Limits(NamedTuple):
@@ -46,7 +43,7 @@ def turn_to_view(T_world_cam: np.ndarray | None) -> np.ndarray:
     if T_world_cam is None:
         return np.eye(4)
     turn = np.eye(4)
-    turn[:3, :3] = _TURN_WORLD
+    turn[:3, :3] = TURN_WORLD
     return turn @ T_world_cam
 
 
@@ -108,22 +105,6 @@ def check_transform(value: Any) -> np.ndarray:
     return matrix
 
 
-def check_pixel(value: Sequence[int], shape: tuple[int, ...]) -> list[int]:
-    """Return a pixel of a picture of this shape (H, W) as [u, v]; [] stays []."""
-    pixel = [int(one) for one in value]
-    height, width = shape
-    if pixel and not (
-        len(pixel) == 2
-        and pixel == list(value)
-        and 0 <= pixel[0] < width
-        and 0 <= pixel[1] < height
-    ):
-        raise ValueError(
-            f"pixel: expected (u, v) from (0, 0) to ({width - 1}, {height - 1}), got {value}"
-        )
-    return pixel
-
-
 def check_faces(faces: Mapping[str, Sequence[Sequence[int]]], depth: np.ndarray) -> list[list[Any]]:
     """Return two faces as [name, three pixels] each."""
     if len(faces) != 2 or any(len(pixels) != 3 for pixels in faces.values()):
@@ -132,9 +113,10 @@ def check_faces(faces: Mapping[str, Sequence[Sequence[int]]], depth: np.ndarray)
             f"got { ({name: len(pixels) for name, pixels in faces.items()}) }"
         )
     valid = find_valid_depth(depth)
+    height, width = depth.shape
     checked: list[list[Any]] = []
     for name, pixels in faces.items():
-        three = [check_pixel(one, depth.shape) for one in pixels]
+        three = [list(check_pixel(f"faces: {name!r}", one, width, height)) for one in pixels]
         for u, v in three:
             if not valid[v, u]:
                 raise ValueError(f"faces: expected a surface at ({u}, {v}) of {name!r}, got none")

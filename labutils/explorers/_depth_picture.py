@@ -12,6 +12,7 @@ import numpy as np
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils._guards import check_depth_image
+from labutils.depth_values import find_valid_depth
 from labutils.explorers._base import DEPTH_STEP, decode_depth
 
 #: Which kind of pixel it is.
@@ -42,7 +43,8 @@ def to_step(meters: float) -> int:
     return int(np.floor(meters / DEPTH_STEP + 0.5))
 
 
-#: A surface lies between these, both excluded: the rule of `labutils.find_valid_depth`.
+#: The limits of `labutils.find_valid_depth` in steps, both excluded: the page compares steps, so
+#: that no rounding to float stands between it and Python.
 VALID_STEPS = Limits(to_step(MIN_DEPTH), to_step(MAX_DEPTH))
 
 
@@ -54,7 +56,7 @@ def decode_steps(png: bytes) -> np.ndarray:
 def check_has_surface(depth_metric: np.ndarray) -> np.ndarray:
     """Return a depth image that holds at least one surface, or raise ValueError."""
     depth = check_depth_image("depth_metric", depth_metric)
-    if not ((depth > MIN_DEPTH) & (depth < MAX_DEPTH)).any():
+    if not find_valid_depth(depth).any():
         raise ValueError(
             f"depth_metric: expected a surface between {MIN_DEPTH:g} and {MAX_DEPTH:g} m, got none"
         )

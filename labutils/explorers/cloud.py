@@ -12,11 +12,12 @@ import numpy as np
 import traitlets
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
-from labutils.depth_processing import find_valid_depth
+from labutils._guards import check_pixel
+from labutils.depth_values import find_valid_depth
 from labutils.explorers._base import (
     DEPTH_STEP,
-    Explorer,
-    View,
+    PixelExplorer,
+    PixelView,
     decode_depth,
     decode_rgb,
     encode_depth,
@@ -27,13 +28,13 @@ from labutils.explorers._base import (
 from labutils.explorers._cloud_poster import VIEW_FOV_DEG, draw_cloud
 from labutils.explorers._cloud_start import (
     check_faces,
-    check_pixel,
     check_transform,
     find_limits,
     make_start_orbit,
 )
 from labutils.explorers._modules import join_modules, join_styles
-from labutils.pointcloud import depth_to_pointcloud, pixels_to_points
+from labutils.pointcloud import depth_to_pointcloud
+from labutils.projection import pixels_to_points
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 _COLORS = ("RGB", "depth", "height")
 
 
-class CloudView(View):
+class CloudView(PixelView):
     """The cloud, the camera's picture beside it, and the point that was picked in either."""
 
     _esm = join_modules("cloud")
@@ -68,20 +69,11 @@ class CloudView(View):
     far = traitlets.Float(MAX_DEPTH).tag(sync=True)
     #: Place of the coloring: RGB, depth, height.
     color = traitlets.Int(0).tag(sync=True)
-    pixel = traitlets.List(traitlets.Int()).tag(sync=True)
     #: Where the reader looks from: `azimuth_deg`, `elevation_deg`, `distance`, `target`.
     orbit = traitlets.Dict().tag(sync=True)
 
+    PICTURE: ClassVar = "depth_png"
     PARAMETERS: ClassVar = ("fov_y_deg", "far", "color", "pixel", "orbit")
-
-    @traitlets.validate("pixel")
-    def _check_pixel(self, proposal: dict[str, Any]) -> list[int]:
-        if not self.depth_png:  # the picture comes first
-            return list(proposal["value"])
-        try:
-            return check_pixel(proposal["value"], self.depth.shape)
-        except ValueError as error:
-            raise traitlets.TraitError(str(error)) from None
 
     @property
     def depth(self) -> np.ndarray:
@@ -151,7 +143,7 @@ class CloudView(View):
         return draw_cloud(points, colors, T_world_cam, self.start["orbit"])
 
 
-class CloudExplorer(Explorer):
+class CloudExplorer(PixelExplorer):
     """What `explore_cloud` returns: the values, as Python reads them."""
 
     view: CloudView
@@ -170,11 +162,6 @@ class CloudExplorer(Explorer):
     def far(self) -> float:
         """Points at or beyond this depth, in meters, are left out."""
         return float(self.view.far)
-
-    @property
-    def pixel(self) -> tuple[int, int] | None:
-        """The picked pixel (u, v), or None."""
-        return (self.view.pixel[0], self.view.pixel[1]) if self.view.pixel else None
 
     @property
     def point(self) -> np.ndarray | None:
@@ -252,7 +239,7 @@ def explore_cloud(
         height_limits=limits.height,
         fov_y_deg=limits.fov_y_deg,
         far=limits.far[1],
-        pixel=[] if pixel is None else check_pixel(pixel, depth.shape),
+        pixel=[] if pixel is None else list(check_pixel("pixel", pixel, *depth.shape[::-1])),
         orbit=make_start_orbit(points, pose),
     )
     return CloudExplorer(

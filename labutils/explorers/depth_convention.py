@@ -12,7 +12,7 @@ import numpy as np
 import traitlets
 
 from labutils._guards import check_depth_limits
-from labutils.depth_processing import metric_to_raw, process_depth
+from labutils.depth_values import metric_to_raw, process_depth
 from labutils.explorers._base import Control, Explorer, View, make_slider
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._poster import draw_lines

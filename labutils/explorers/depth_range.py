@@ -13,11 +13,11 @@ import traitlets
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils._guards import check_depth_limits
-from labutils.depth_processing import metric_to_raw
+from labutils.depth_values import find_valid_depth, metric_to_raw
 from labutils.explorers._base import (
     DEPTH_STEP,
-    Explorer,
-    View,
+    PixelExplorer,
+    PixelView,
     encode_depth,
     make_choice,
     make_range_slider,
@@ -44,7 +44,7 @@ BINS = 50
 _USUAL_END = 5.0
 
 
-class DepthRangeView(View):
+class DepthRangeView(PixelView):
     """The colored depth image, its color bar, and the histograms of meters and of raw values."""
 
     _esm = join_modules("depth_range")
@@ -60,8 +60,8 @@ class DepthRangeView(View):
     range_m = traitlets.List([0.0, _USUAL_END]).tag(sync=True)
     #: Place of the color map in `color_names`.
     color_map = traitlets.Int(0).tag(sync=True)
-    pixel: traitlets.List[int] = traitlets.List().tag(sync=True)
 
+    PICTURE: ClassVar = "depth_png"
     PARAMETERS: ClassVar = ("range_m", "color_map", "pixel")
 
     def compute(self) -> dict[str, Any]:
@@ -124,7 +124,7 @@ class DepthRangeView(View):
         return np.vstack([picture, bar, scale])
 
 
-class DepthRangeExplorer(Explorer):
+class DepthRangeExplorer(PixelExplorer):
     """What `explore_depth_range` returns: the range, as Python reads it."""
 
     view: DepthRangeView
@@ -134,14 +134,6 @@ class DepthRangeExplorer(Explorer):
         """Nearest and farthest depth that gets a color, in meters."""
         near, far = self.view.range_m
         return float(near), float(far)
-
-    @property
-    def pixel(self) -> tuple[int, int] | None:
-        """Column and row of the pixel read last."""
-        if not self.view.pixel:
-            return None
-        u, v = self.view.pixel
-        return u, v
 
 
 def explore_depth_range(
@@ -178,7 +170,7 @@ def explore_depth_range(
     planes = check_depth_limits("clip[0]", clip[0], "clip[1]", clip[1])
     if not 0 <= near < far <= MAX_DEPTH:
         raise ValueError(f"expected 0 <= near < far <= {MAX_DEPTH:g}, got {near} and {far}")
-    surface = depth[(depth > MIN_DEPTH) & (depth < MAX_DEPTH)]
+    surface = depth[find_valid_depth(depth)]
     upper = max(_USUAL_END, float(np.ceil(2 * max(far, surface.max())) / 2))
     view = DepthRangeView(
         label="Depth range explorer",

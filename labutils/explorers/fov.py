@@ -12,12 +12,8 @@ import cv2
 import numpy as np
 import traitlets
 
-from labutils.camera_utils import (
-    get_camera_intrinsics,
-    get_camera_pose,
-    intrinsics_matrix,
-    render_camera,
-)
+from labutils.camera_utils import render_camera
+from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
 from labutils.explorers._base import (
     Explorer,
     View,

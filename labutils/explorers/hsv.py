@@ -12,11 +12,11 @@ import numpy as np
 import traitlets
 
 from labutils._constants import MAX_HUE, HsvRange
-from labutils._guards import check_rgb_image
-from labutils.color_segmentation import _check_hsv_range, find_object_centroid
+from labutils._guards import check_hsv_range, check_rgb_image
+from labutils.color_segmentation import find_object_centroid
 from labutils.explorers._base import (
-    Explorer,
-    View,
+    PixelExplorer,
+    PixelView,
     decode_rgb,
     encode_rgb,
     make_choice,
@@ -33,7 +33,7 @@ _SHOWN = ("overlay", "mask", "picture")
 _NAMES = ("hue", "saturation", "value")
 
 
-class HsvView(View):
+class HsvView(PixelView):
     """The picture with what is not selected dimmed, and the hues as a ring."""
 
     _esm = join_modules("hsv")
@@ -47,9 +47,8 @@ class HsvView(View):
     close_radius = traitlets.Int(2).tag(sync=True)
     #: What is drawn: place in overlay, mask, picture.
     shown = traitlets.Int(0).tag(sync=True)
-    #: The picked pixel [u, v], or [] for none.
-    pixel = traitlets.List(traitlets.Int()).tag(sync=True)
 
+    PICTURE: ClassVar = "rgb_png"
     PARAMETERS: ClassVar = (
         "hue_from",
         "hue_to",
@@ -60,18 +59,6 @@ class HsvView(View):
         "shown",
         "pixel",
     )
-
-    @traitlets.validate("pixel")
-    def _check_pixel(self, proposal: dict[str, Any]) -> list[int]:
-        pixel: list[int] = proposal["value"]
-        if pixel:
-            height, width = self.rgb.shape[:2]
-            inside = len(pixel) == 2 and 0 <= pixel[0] < width and 0 <= pixel[1] < height
-            if not inside:
-                raise traitlets.TraitError(
-                    f"pixel: expected [u, v] within a picture of {width} x {height}, got {pixel}"
-                )
-        return pixel
 
     @property
     def rgb(self) -> np.ndarray:
@@ -142,7 +129,7 @@ class HsvView(View):
         return poster
 
 
-class HsvExplorer(Explorer):
+class HsvExplorer(PixelExplorer):
     """What `explore_hsv` returns: the limits, and what they select, as Python reads them."""
 
     view: HsvView
@@ -169,11 +156,6 @@ class HsvExplorer(Explorer):
         A picture that a reader opens in the browser stays there: Python never sees it.
         """
         return self.view.make_mask()
-
-    @property
-    def pixel(self) -> tuple[int, int] | None:
-        """The picked pixel (u, v), or None."""
-        return (self.view.pixel[0], self.view.pixel[1]) if self.view.pixel else None
 
     @property
     def pixel_rgb(self) -> tuple[int, int, int] | None:
@@ -227,7 +209,7 @@ def explore_hsv(
     picture = check_rgb_image("rgb", rgb)
     if not picture.size:
         raise ValueError(f"rgb: expected at least one pixel, got shape {picture.shape}")
-    low, high = (limit.tolist() for limit in _check_hsv_range(hsv_range, "hsv_range"))
+    low, high = (limit.tolist() for limit in check_hsv_range("hsv_range", hsv_range))
     view = HsvView(
         label="HSV explorer",
         help="Move the limits, or the ends of the arc. The cross marks the middle of the largest "

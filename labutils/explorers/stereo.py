@@ -13,11 +13,12 @@ import numpy as np
 import traitlets
 
 from labutils._constants import MAX_DEPTH, MIN_DEPTH
-from labutils._guards import check_intrinsics, check_rgb_image
+from labutils._guards import check_intrinsics, check_pixel, check_rgb_image
+from labutils.depth_values import find_valid_depth
 from labutils.explorers._base import (
     DEPTH_STEP,
-    Explorer,
-    View,
+    PixelExplorer,
+    PixelView,
     decode_rgb,
     encode_depth,
     encode_rgb,
@@ -25,6 +26,14 @@ from labutils.explorers._base import (
 )
 from labutils.explorers._depth_picture import check_has_surface, decode_steps, is_surface
 from labutils.explorers._modules import join_modules, join_styles
+from labutils.stereo import (
+    OUTSIDE,
+    depth_to_disparity,
+    find_depth_error,
+    find_depth_interval,
+    find_linear_depth_error,
+    find_right_state,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,15 +41,12 @@ if TYPE_CHECKING:
 _BASELINES_MM = (10.0, 300.0)
 _ERRORS_PX = (0.1, 3.0)
 
-#: What becomes of the point in the right eye's picture.
-OUTSIDE, SEEN, HIDDEN = range(3)
-
 _NOTHING = dict.fromkeys(
     ("depth", "disparity", "u_right", "right", "z_near", "z_far", "error_mm", "error_linear_mm")
 )
 
 
-class StereoView(View):
+class StereoView(PixelView):
     """The left eye's picture with both marks, the rays from above, and error over depth."""
 
     _esm = join_modules("stereo")
@@ -53,8 +59,8 @@ class StereoView(View):
     K: traitlets.List[list[float]] = traitlets.List().tag(sync=True)
     baseline_mm = traitlets.Float(64.0).tag(sync=True)
     error_px = traitlets.Float(0.5).tag(sync=True)
-    pixel: traitlets.List[int] = traitlets.List().tag(sync=True)
 
+    PICTURE: ClassVar = "rgb_png"
     PARAMETERS: ClassVar = ("baseline_mm", "error_px", "pixel")
 
     def compute(self) -> dict[str, Any]:
@@ -67,19 +73,20 @@ class StereoView(View):
         depth = float(row[u])
         if np.isnan(depth):
             return dict(_NOTHING)
-        product = self.K[0][0] * (self.baseline_mm / 1000)
-        disparity, error = product / depth, self.error_px
+        K, baseline, error = np.array(self.K), self.baseline_mm / 1000, self.error_px
+        disparities = depth_to_disparity(row, K, baseline)
+        disparity = float(disparities[u])
+        near, far = find_depth_interval(row[u], error, K, baseline)
+        largest = find_depth_error(row[u], error, K, baseline)
         return {
             "depth": depth,
             "disparity": disparity,
             "u_right": u - disparity,
-            "right": _find_right_state(u, product / row),
-            "z_near": product / (disparity + error),
-            "z_far": product / (disparity - error) if disparity > error else None,
-            "error_mm": 1000 * depth**2 * error / (product - depth * error)
-            if disparity > error
-            else None,
-            "error_linear_mm": 1000 * depth**2 * error / product,
+            "right": find_right_state(u, disparities),
+            "z_near": float(near),
+            "z_far": _to_limit(far),
+            "error_mm": _to_limit(1000 * largest),
+            "error_linear_mm": float(1000 * find_linear_depth_error(row[u], error, K, baseline)),
         }
 
     def describe(self) -> str:
@@ -110,7 +117,7 @@ class StereoView(View):
         return picture
 
 
-class StereoExplorer(Explorer):
+class StereoExplorer(PixelExplorer):
     """What `explore_stereo` returns: the values, as Python reads them."""
 
     view: StereoView
@@ -124,14 +131,6 @@ class StereoExplorer(Explorer):
     def match_error(self) -> float:
         """How far the disparity may be off, in pixels."""
         return float(self.view.error_px)
-
-    @property
-    def pixel(self) -> tuple[int, int] | None:
-        """Column and row of the chosen point in the left eye's picture."""
-        if not self.view.pixel:
-            return None
-        u, v = self.view.pixel
-        return u, v
 
     @property
     def disparity(self) -> float | None:
@@ -209,6 +208,10 @@ def explore_stereo(
         )
     baseline_mm = 1000 * _check_number("baseline", baseline, tuple(b / 1000 for b in _BASELINES_MM))
     error_px = _check_number("match_error", match_error, _ERRORS_PX)
+    if pixel is None:
+        start = _find_middle_surface(depth)
+    else:
+        start = check_pixel("pixel", pixel, *depth.shape[::-1])
     view = StereoView(
         label="Stereo explorer",
         help="Choose a point in the picture. Then move the eyes apart, or match less exactly.",
@@ -217,7 +220,7 @@ def explore_stereo(
         K=matrix.tolist(),
         baseline_mm=float(round(baseline_mm)),
         error_px=round(error_px, 1),
-        pixel=_find_middle_surface(depth) if pixel is None else _check_pixel(pixel, depth.shape),
+        pixel=list(start),
     )
     return StereoExplorer(
         view,
@@ -228,24 +231,17 @@ def explore_stereo(
     )
 
 
-def _find_right_state(u: int, disparities: np.ndarray) -> int:
-    """Tell whether the right eye sees the point of column `u`, from the disparities of its row."""
-    place = u - disparities[u]
-    if place < -0.5:
-        return OUTSIDE
-    columns = np.arange(u + 1, disparities.size)
-    others = disparities[columns]
-    nearer = others > disparities[u] + 1  # false for NaN: no surface hides nothing
-    covers = nearer & (np.abs(columns - others - place) <= 0.5)
-    return HIDDEN if covers.any() else SEEN
-
-
-def _find_middle_surface(depth: np.ndarray) -> list[int]:
+def _find_middle_surface(depth: np.ndarray) -> tuple[int, int]:
     """Find the surface pixel next to the middle of the picture."""
-    v, u = np.nonzero((depth > MIN_DEPTH) & (depth < MAX_DEPTH))
+    v, u = np.nonzero(find_valid_depth(depth))
     height, width = depth.shape
     first = np.argmin((v - height // 2) ** 2 + (u - width // 2) ** 2)
-    return [int(u[first]), int(v[first])]
+    return int(u[first]), int(v[first])
+
+
+def _to_limit(meters: np.ndarray) -> float | None:
+    """Return a limit as the page knows it: JSON has no infinity, so None stands for it."""
+    return float(meters) if np.isfinite(meters) else None
 
 
 def _check_number(name: str, value: Any, limits: tuple[float, ...]) -> float:
@@ -256,13 +252,3 @@ def _check_number(name: str, value: Any, limits: tuple[float, ...]) -> float:
     if not low <= number <= high:
         raise ValueError(f"{name}: expected {low:g} to {high:g}, got {value}")
     return number
-
-
-def _check_pixel(pixel: Sequence[int], shape: tuple[int, ...]) -> list[int]:
-    height, width = shape
-    if len(pixel) != 2 or not all(isinstance(one, numbers.Integral) for one in pixel):
-        raise TypeError(f"pixel: expected two whole numbers (u, v), got {pixel!r}")
-    u, v = (int(one) for one in pixel)
-    if not (0 <= u < width and 0 <= v < height):
-        raise ValueError(f"pixel: expected a pixel of {width} x {height}, got {pixel!r}")
-    return [u, v]

@@ -12,6 +12,7 @@ import pytest
 from labutils import explorers
 from labutils.explorers._base import View
 from tests.helpers.chapters import ROOT, find_widgets, get_toc_pages
+from tests.helpers.views import find_view_classes
 
 STATE = r'<script type="application/vnd\.jupyter\.widget-state\+json">(.*?)</script>'
 
@@ -52,15 +53,11 @@ def used(protocol, page, request, chromium, once):
 def read_views(html: str) -> list[View]:
     """Make the views of a page again, from what the page holds of them, in the page's order."""
     models = json.loads(re.search(STATE, html, re.DOTALL)[1])["state"]
-    classes = {f"{one.__module__}.{one.__qualname__}": one for one in get_view_classes()}
+    classes = {f"{one.__module__}.{one.__qualname__}": one for one in find_view_classes()}
     shown = re.findall(r'"model_id": "(\w+)"', html)
     boxes = [models[one]["state"] for one in shown if "children" in models[one]["state"]]
     first = [models[box["children"][0].removeprefix("IPY_MODEL_")] for box in boxes]
     return [make_view(classes[model["state"]["_anywidget_id"]], model) for model in first]
-
-
-def get_view_classes() -> list[type[View]]:
-    return View.__subclasses__()
 
 
 def make_view(view_class: type[View], model: dict) -> View:

@@ -8,11 +8,17 @@ import json
 import numpy as np
 import pytest
 
+from labutils import intrinsics_matrix, points_to_pixels
 from labutils._splat import get_depth_colors
 from labutils.camera_utils import get_camera_pose
 from labutils.explorers import explore_cloud
 from labutils.explorers._base import DEPTH_STEP
-from labutils.explorers._cloud_poster import make_view_transform
+from labutils.explorers._cloud_poster import (
+    _SIZE,
+    VIEW_FOV_DEG,
+    draw_cloud,
+    make_view_transform,
+)
 from labutils.explorers._cloud_start import turn_to_view
 from tests.helpers.node import STATIC, run_node
 from tests.helpers.tolerances import EXACT
@@ -193,6 +199,32 @@ def test_nobody_walks_over_the_pole_or_through_the_target():
     assert closer == {**orbit, "distance": 1}
     assert 0 < near["distance"] < 0.5
     assert 5 < far["distance"] < 100
+
+
+def test_the_poster_has_its_middle_where_the_page_has_it():
+    # Two counts of the same place: the page's from the corner of the first pixel, the library's
+    # from its center, half a pixel farther in. With W/2 in the library both would read the same.
+    rng = np.random.default_rng(12)
+    points = rng.uniform([-0.4, -0.3, 1], [0.4, 0.3, 3], (20, 3))
+    width, height = _SIZE
+    code = """
+    import { projectLine } from "STATIC/_orbit.js";
+    import { focalFromFov } from "STATIC/_camera.js";
+    const focal = focalFromFov(data.fov, data.height);
+    show(data.points.map((p) => projectLine(p, p, focal, data.width, data.height)[0]));
+    """
+    given = {"points": points.tolist(), "fov": VIEW_FOV_DEG, "width": width, "height": height}
+    on_page = np.array(show_from(code, given))
+    K = intrinsics_matrix(np.radians(VIEW_FOV_DEG), width, height)
+    np.testing.assert_allclose(points_to_pixels(points, K) + 0.5, on_page, rtol=0, atol=1e-9)
+    # ... and the poster draws with that: one point, a square of 2 x 2 pixels around its place
+    orbit = {"azimuth_deg": 0, "elevation_deg": 0, "distance": 0, "target": np.zeros(3)}
+    for point, (x, y) in zip(points, on_page, strict=True):
+        black = np.zeros((1, 3))
+        rows, columns = np.nonzero(draw_cloud(point[None], black, None, orbit).max(axis=2) == 0)
+        middle = [columns.mean() + 0.5, rows.mean() + 0.5]
+        assert len(rows) == 4
+        np.testing.assert_allclose(middle, [x, y], rtol=0, atol=0.5 + 1e-9)
 
 
 def test_a_line_is_cut_where_it_passes_the_eye():

@@ -95,7 +95,9 @@ def test_a_picked_pixel_tells_its_color_and_what_keeps_it_out() -> None:
 @pytest.mark.parametrize("pixel", [[2, 0], [0, 1], [-1, 0], [0]])
 def test_a_pixel_outside_the_picture_is_refused(pixel: list[int]) -> None:
     explorer = explore_hsv(np.zeros((1, 2, 3), np.uint8))
-    with pytest.raises(traitlets.TraitError, match="within a picture of 2 x 1"):
+    with pytest.raises(
+        traitlets.TraitError, match=r"pixel: expected \(u, v\) within 2 x 1 pixels, got list"
+    ):
         explorer.move(pixel=pixel)
 
 

@@ -20,7 +20,7 @@ from labutils import (
 )
 from labutils.explorers import explore_stereo
 from labutils.explorers._base import DEPTH_STEP, decode_depth, decode_rgb
-from labutils.explorers.stereo import HIDDEN, OUTSIDE, SEEN
+from labutils.stereo import HIDDEN, OUTSIDE, SEEN
 from tests.helpers.node import evaluate
 
 BASELINE = 0.064  # of the scene's eyes
@@ -246,9 +246,9 @@ def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(explorer, ey
         ({"baseline": True}, TypeError, "baseline: expected a number, got bool"),
         ({"match_error": 4}, ValueError, "match_error: expected 0.1 to 3, got 4"),
         ({"match_error": "1"}, TypeError, "match_error: expected a number, got str"),
-        ({"pixel": (320, 0)}, ValueError, "pixel: expected a pixel of 320 x 240"),
-        ({"pixel": (1.5, 0)}, TypeError, "pixel: expected two whole numbers"),
-        ({"pixel": (1, 2, 3)}, TypeError, "pixel: expected two whole numbers"),
+        ({"pixel": (320, 0)}, ValueError, r"pixel: expected \(u, v\) within 320 x 240 pixels"),
+        ({"pixel": (1.5, 0)}, TypeError, r"pixel: expected \(u, v\), two whole numbers"),
+        ({"pixel": (1, 2, 3)}, ValueError, r"pixel: expected \(u, v\) within 320 x 240"),
     ],
 )
 def test_bad_arguments_are_refused(eyes, change, error, message):

@@ -6,15 +6,19 @@ import re
 
 import pytest
 
-from labutils import explorers
-from labutils.explorers._base import View
 from tests.helpers.node import STATIC
+from tests.helpers.views import find_view_classes
 
 CLASS = re.compile(r"explorer-[a-z][a-z-]*")
 SHEETS = {path.stem: path.read_text("utf-8") for path in STATIC.glob("*.css")}
 
 
-VIEWS = [one for one in View.__subclasses__() if one.__module__.startswith(explorers.__name__)]
+VIEWS = find_view_classes()
+
+
+def test_every_script_of_a_view_has_its_view():
+    scripts = {path.stem for path in STATIC.glob("*.js") if not path.stem.startswith("_")}
+    assert {view.__module__.rpartition(".")[2] for view in VIEWS} == scripts
 
 
 @pytest.mark.parametrize("view", VIEWS, ids=lambda view: view.__name__)

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import visualize_pointcloud
-from labutils._picture import spread_labels
+from labutils._picture import _INK, spread_labels
 from labutils._splat import get_view_point, make_look_at, render_points
 from labutils.figures import (
     Picture,
@@ -75,9 +75,15 @@ def test_a_figure_has_a_transparent_ground_and_mid_gray_ink(figures, name):
     assert bgra.shape[2] == 4
     assert (bgra[..., 3] == 0).mean() > 0.05
     # The ink has a contrast of 4.5:1 and more on white and on the dark ground (#121212).
-    ink = np.array([0x85, 0x7B, 0x76])  # BGR
+    ink = np.array(to_rgb(_INK)[::-1])  # BGR
     opaque = bgra[bgra[..., 3] == 255][:, :3].astype(int)
     assert (np.abs(opaque - ink).max(axis=1) <= 2).any()
+
+
+def to_rgb(color: str) -> tuple[int, int, int]:
+    """Read a color as figures name it, ``#rrggbb``."""
+    red, green, blue = bytes.fromhex(color.removeprefix("#"))
+    return red, green, blue
 
 
 def relative_luminance(rgb: tuple[int, int, int]) -> float:
@@ -87,7 +93,7 @@ def relative_luminance(rgb: tuple[int, int, int]) -> float:
 
 
 def test_the_ink_is_readable_on_both_grounds():
-    ink = relative_luminance((0x76, 0x7B, 0x85))
+    ink = relative_luminance(to_rgb(_INK))
     for ground in ((255, 255, 255), (18, 18, 18)):
         bright, dark = sorted((ink, relative_luminance(ground)), reverse=True)
         # WCAG asks 3:1 for graphics and large text; we want more for small labels.
@@ -131,11 +137,29 @@ def test_a_view_looks_at_its_target():
         make_look_at(eye, eye, np.array([0, -1.0, 0]))
 
 
-def test_a_view_point_behind_the_camera_sees_the_whole_cloud():
+def test_a_view_point_lies_behind_and_above_and_farther_from_the_middle_than_most_points():
     points = np.random.default_rng(1).uniform([-1, -1, 1], [1, 1, 2], (500, 3))
     target, eye = get_view_point(points)
     assert eye[2] < target[2]
     assert eye[1] < target[1]  # y is down: smaller is above
+    distances = np.linalg.norm(points - target, axis=1)
+    assert (distances < np.linalg.norm(eye - target)).mean() > 0.9
+
+
+@pytest.mark.parametrize("point_size", [1, 2, 3, 4])
+def test_a_cloud_and_its_mirror_image_are_drawn_as_mirror_images(point_size):
+    # With the middle at W/2 instead of (W-1)/2, all would lie half a pixel to the right and below.
+    half = np.random.default_rng(6).uniform(0.02, 0.3, (4000, 3))
+    points = np.concatenate([half * [x, y, 1] for x in (1, -1) for y in (1, -1)])
+    points[:, 2] += 1
+    look = {"azimuth_deg": 0, "elevation_deg": 0, "axes": False, "point_size": point_size}
+    drawn = decode(plot_cloud(points, np.ones(points.shape), **look))[..., 3] > 0
+    assert drawn.shape == (1000, 1440)
+    assert 0.003 < drawn.mean() < 0.9
+    for mirrored in (drawn[:, ::-1], drawn[::-1]):
+        # A point in the middle between two pixels may fall to either. The rival, W/2, differs in
+        # 0.7 % of the pixels and more.
+        assert (mirrored != drawn).mean() < 1e-4
 
 
 def test_visualize_pointcloud_without_a_screen_gives_a_picture_with_the_cloud_in_it(monkeypatch):

@@ -38,6 +38,7 @@ LIBRARY = (
     "labutils/checks/*.py",
     "labutils/checks/kinds/*.py",
     "labutils/checks/tables/exercises.json",
+    "labutils/renderers/*.py",
 )
 
 PIECE = 1 << 20  # bytes: small enough that loading shows progress

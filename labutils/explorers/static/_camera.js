@@ -1,4 +1,4 @@
-// The pinhole camera, as in labutils.camera_utils. Angles in degrees, as on a slider.
+// The pinhole camera, as in labutils.cameras and labutils.projection. Angles in degrees, as on a slider.
 
 /** Focal length in pixels of a picture `height` pixels tall: half the height over tan of half the angle. */
 export function focalFromFov(fovDegrees, height) {

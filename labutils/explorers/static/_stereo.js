@@ -1,5 +1,5 @@
 // Two cameras side by side, the right one `baseline` meters along x: disparity and what it is worth.
-// Mirrors labutils.explorers.stereo. (u, v) is a pixel center; the left camera is the origin.
+// Mirrors labutils.stereo. (u, v) is a pixel center; the left camera is the origin.
 
 export const [OUTSIDE, SEEN, HIDDEN] = [0, 1, 2];
 

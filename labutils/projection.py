@@ -1,0 +1,129 @@
+"""From pixels to points and back, from the camera into the world and back.
+
+Stands on NumPy alone. Taught in: step 5.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from labutils._constants import FLIP_YZ
+from labutils._guards import check_columns, check_intrinsics, check_pose, check_real_array
+
+
+def pixels_to_points(pixels: np.ndarray, depth: np.ndarray, K: np.ndarray) -> np.ndarray:
+    """Back-project single pixels.
+
+    Parameters
+    ----------
+    pixels : array-like, real, shape (N, 2)
+        (u, v): column, row; fractions are allowed.
+    depth : array-like, real, shape (N,)
+        Meters along the optical axis.
+    K : array-like, shape (3, 3)
+        Intrinsic matrix.
+
+    Returns
+    -------
+    ndarray, float64, shape (N, 3)
+        Points in the OpenCV camera frame; NaN where the depth is NaN.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape does not fit.
+    """
+    pixels = check_columns("pixels", pixels, 2).astype(np.float64)
+    z = check_real_array("depth", depth).astype(np.float64)
+    K = check_intrinsics(K)
+    if z.shape != (len(pixels),):
+        raise ValueError(
+            f"depth: expected one value per pixel ({len(pixels)}), got shape {z.shape}"
+        )
+    x = (pixels[:, 0] - K[0, 2]) / K[0, 0] * z
+    y = (pixels[:, 1] - K[1, 2]) / K[1, 1] * z
+    return np.stack([x, y, z], axis=1)
+
+
+def points_to_pixels(points: np.ndarray, K: np.ndarray) -> np.ndarray:
+    """Project points of the camera frame into the picture.
+
+    Parameters
+    ----------
+    points : array-like, real, shape (N, 3)
+        OpenCV camera frame, meters.
+    K : array-like, shape (3, 3)
+        Intrinsic matrix.
+
+    Returns
+    -------
+    ndarray, float64, shape (N, 2)
+        (u, v), also outside the picture; NaN for points at or behind the camera (z <= 0).
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape does not fit.
+    """
+    points = check_columns("points", points, 3).astype(np.float64)
+    K = check_intrinsics(K)
+    z = np.where(points[:, 2] > 0, points[:, 2], np.nan)
+    u = K[0, 0] * points[:, 0] / z + K[0, 2]
+    v = K[1, 1] * points[:, 1] / z + K[1, 2]
+    return np.stack([u, v], axis=1)
+
+
+def camera_to_world(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
+    """Move points from the OpenCV camera frame into the world.
+
+    Convention
+    ----------
+    ``R_world_cv = cam_xmat @ diag(1, -1, -1)``: MuJoCo's camera has y up and looks along -z.
+
+    Parameters
+    ----------
+    points : array-like, real, shape (N, 3)
+        OpenCV camera frame, meters.
+    cam_xpos : array-like, 3 numbers
+        ``data.cam_xpos`` of the camera.
+    cam_xmat : array-like, 9 numbers or shape (3, 3)
+        ``data.cam_xmat`` of the camera, MuJoCo's axes.
+
+    Returns
+    -------
+    ndarray, float64, shape (N, 3)
+        World coordinates in meters.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape does not fit, or `cam_xmat` is no rotation.
+    """
+    points = check_columns("points", points, 3)
+    position, rotation = check_pose(cam_xpos, cam_xmat)
+    return points @ (rotation @ FLIP_YZ).T + position
+
+
+def world_to_camera(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
+    """Move points from the world into the OpenCV camera frame: undoes `camera_to_world`.
+
+    Parameters
+    ----------
+    points : array-like, real, shape (N, 3)
+        World coordinates in meters.
+    cam_xpos, cam_xmat
+        As in `camera_to_world`.
+
+    Returns
+    -------
+    ndarray, float64, shape (N, 3)
+        Camera coordinates in meters.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As in `camera_to_world`.
+    """
+    points = check_columns("points", points, 3)
+    position, rotation = check_pose(cam_xpos, cam_xmat)
+    return (points - position) @ (rotation @ FLIP_YZ)

@@ -1,0 +1,171 @@
+"""Draw with rays: exact depth and labels, flat colors, no OpenGL."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Self
+
+import mujoco
+import numpy as np
+
+from labutils._guards import check_image_size
+from labutils._ray_casting import cast_rays, get_pixel_rays
+from labutils.cameras import get_camera_id
+from labutils.depth_values import get_clip_planes, metric_to_raw
+
+if TYPE_CHECKING:
+    from labutils.renderers.protocol import Renderer
+
+_SKY_RGB = np.array([0.62, 0.74, 0.86])
+
+
+class RaycastRenderer:
+    """Draw with rays instead of OpenGL, with the methods of ``mujoco.Renderer``.
+
+    Depth and segmentation are exact; color is the geom's own color under one light at the
+    camera, without textures, shadows or anti-aliasing.
+
+    Parameters
+    ----------
+    model : mujoco.MjModel
+        The compiled scene.
+    height, width : int
+        Picture size in pixels.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `height` or `width` is not a positive whole number, or larger than the model's
+        off-screen buffer (the same limit as MuJoCo's renderer has).
+    """
+
+    def __init__(self, model: mujoco.MjModel, height: int = 240, width: int = 320) -> None:
+        width, height = check_image_size(width, height)
+        limits = model.vis.global_
+        for name, size, limit in (
+            ("width", width, limits.offwidth),
+            ("height", height, limits.offheight),
+        ):
+            if size > limit:
+                raise ValueError(
+                    f"{name}: expected at most {limit} (the model's off{name}), got {size}"
+                )
+        self.model = model
+        self.height = height
+        self.width = width
+        self._mode = "color"
+        self._frame: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None = None
+
+    def update_scene(
+        self, data: mujoco.MjData, camera: str | int = -1, scene_option: Any = None
+    ) -> None:
+        """Cast the rays of one frame; `camera` is a name or an id of a camera of the model."""
+        if scene_option is not None:
+            raise ValueError(
+                "scene_option: the ray caster draws with MuJoCo's default options only"
+            )
+        name = camera if isinstance(camera, str) else _get_camera_name(self.model, camera)
+        if not data.cam_xmat[get_camera_id(self.model, name)].any():
+            # A state that was never forwarded: OpenGL draws nothing but sky then, and so do we.
+            shape = (self.height, self.width)
+            nothing = np.full(shape, np.nan), np.full(shape, -1), np.zeros((*shape, 3))
+            self._frame = (*nothing, np.ones((*shape, 3)))
+            return
+        rays = get_pixel_rays(self.model, data, name, self.width, self.height)
+        self._frame = (*cast_rays(self.model, data, name, rays), rays)
+
+    def enable_depth_rendering(self) -> None:
+        """Make `render` return meters."""
+        self._mode = "depth"
+
+    def disable_depth_rendering(self) -> None:
+        """Make `render` return color again."""
+        self._mode = "color"
+
+    def enable_segmentation_rendering(self) -> None:
+        """Make `render` return (object id, object type) pairs."""
+        self._mode = "segmentation"
+
+    def disable_segmentation_rendering(self) -> None:
+        """Make `render` return color again."""
+        self._mode = "color"
+
+    def render(self) -> np.ndarray:
+        """Return the frame in the current mode.
+
+        Returns
+        -------
+        ndarray
+            Color: uint8 (H, W, 3). Depth: float32 (H, W), meters, the far plane where nothing is
+            hit, as OpenGL gives it. Segmentation: int32 (H, W, 2), -1 where nothing is hit.
+
+        Raises
+        ------
+        RuntimeError
+            If `update_scene` was never called, or the renderer is closed.
+        """
+        if self._frame is None:
+            raise RuntimeError("render: expected a call of update_scene first, got none")
+        depth, geom_ids, normals, rays = self._frame
+        if self._mode == "depth":
+            far = self.model.vis.map.zfar * self.model.stat.extent
+            return np.where(np.isnan(depth), far, np.minimum(depth, far)).astype(np.float32)
+        if self._mode == "segmentation":
+            kind = np.where(geom_ids >= 0, int(mujoco.mjtObj.mjOBJ_GEOM), -1)
+            return np.stack([geom_ids, kind], axis=-1).astype(np.int32)
+        return self._shade(geom_ids, normals, rays)
+
+    def _shade(self, geom_ids: np.ndarray, normals: np.ndarray, rays: np.ndarray) -> np.ndarray:
+        rays = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
+        facing = np.abs(np.sum(normals * rays, axis=-1))  # 1 where the surface faces the camera
+        # An empty model has no color to look up: the sky then fills the picture.
+        base = _get_geom_colors(self.model)[geom_ids] if self.model.ngeom else np.zeros(rays.shape)
+        lit = base * (0.35 + 0.65 * facing)[..., None]
+        color = np.where((geom_ids >= 0)[..., None], lit, _SKY_RGB)
+        return np.round(255.0 * np.clip(color, 0.0, 1.0)).astype(np.uint8)
+
+    def close(self) -> None:
+        """Forget the frame; nothing else has to be freed."""
+        self._frame = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *exc_info: object) -> None:
+        self.close()
+
+
+def read_raw_depth(model: mujoco.MjModel, renderer: Renderer) -> np.ndarray:
+    """Make what a depth buffer would hold: rays fill none, so exact depth is converted backward.
+
+    Parameters
+    ----------
+    model : mujoco.MjModel
+        Gives the clip planes.
+    renderer : Renderer
+        With its scene up to date; left in color mode.
+
+    Returns
+    -------
+    ndarray, float32, shape (H, W)
+        Window depth, 0 at the near plane, 1 at the far plane.
+    """
+    try:
+        renderer.enable_depth_rendering()
+        depth = renderer.render()
+    finally:
+        renderer.disable_depth_rendering()
+    return metric_to_raw(depth, *get_clip_planes(model)).astype(np.float32)
+
+
+def _get_geom_colors(model: mujoco.MjModel) -> np.ndarray:
+    """Return one color per geom, (ngeom, 3) in [0, 1]: the material's where there is one."""
+    colors = model.geom_rgba[:, :3].copy()
+    has_material = model.geom_matid >= 0
+    colors[has_material] = model.mat_rgba[model.geom_matid[has_material], :3]
+    return colors
+
+
+def _get_camera_name(model: mujoco.MjModel, camera_id: int) -> str:
+    if not 0 <= camera_id < model.ncam:
+        raise ValueError(f"camera: expected an id from 0 to {model.ncam - 1}, got {camera_id}")
+    return model.camera(camera_id).name
