@@ -64,6 +64,9 @@ def without(mapping, name):
     return {key: value for key, value in mapping.items() if key != name}
 
 
+CROWDED = {"6f": ("step6_view", "one too many")}
+
+
 @pytest.mark.parametrize(
     ("changes", "expected"),
     [
@@ -77,6 +80,38 @@ def without(mapping, name):
                 "section step3-reversed-z is given for 3b, which is no objective",
                 "exercise process_depth practices 3b, which is no objective",
                 "question 3b asks for 3b, which is no objective",
+            ],
+        ),
+        (
+            lambda b: {"objectives": b.objectives | {"99a": ("step6_view", "new")}},
+            [
+                "objective 99a: no chapter has the prefix 99",
+                *(f"objective 99a has no {part}" for part in ("section", "exercise", "question")),
+            ],
+        ),
+        (
+            lambda b: {"objectives": b.objectives | {"3b": ("step6_view", b.objectives["3b"][1])}},
+            [
+                "objective 3b: step3 has its prefix, but it is on step6_view",
+                "objective 3b: its section step3-reversed-z is on another page",
+                "question 3b asks for 3b, which is on another page",
+            ],
+        ),
+        (
+            lambda b: {"objectives": b.objectives | {"6e": b.objectives["6d"]} | CROWDED},
+            [
+                "chapter step6: expected 3 to 5 objectives, got 6",
+                *(
+                    f"objective {name} has no {part}"
+                    for name in ("6e", "6f")
+                    for part in ("section", "exercise", "question")
+                ),
+            ],
+        ),
+        (
+            lambda b: {"chapters": [one for one in b.chapters if one.id != "conventions"]},
+            [
+                "questions of conventions: no chapter has this page; add a row to content/chapters.yml"
             ],
         ),
         (
