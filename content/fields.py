@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 
 def check_fields(
     where: str,
     entry: Any,
-    required: dict[str, type],
-    optional: dict[str, type],
+    required: Mapping[str, type],
+    optional: Mapping[str, type],
     error: type[ValueError],
 ) -> dict[str, Any]:
     """Return the entry if it has the fields it should have, all of them filled.
@@ -27,7 +30,7 @@ def check_fields(
     """
     if not isinstance(entry, dict):
         raise error(f"{where}: expected fields with names, got {entry!r}")
-    known = required | optional
+    known = {**required, **optional}
     if unknown := sorted(map(str, entry.keys() - known.keys())):
         raise error(f"{where}: unknown field {unknown[0]}; known are {', '.join(known)}")
     for name in required:
@@ -38,6 +41,6 @@ def check_fields(
         if not isinstance(value, wanted):
             hint = "; write it in quotes" if wanted is str else ""
             raise error(f"{where}: {name}: expected {wanted.__name__}, got {value!r}{hint}")
-        if wanted is str and not value.strip():
+        if isinstance(value, str) and not value.strip():
             raise error(f"{where}: {name}: is empty")
     return entry

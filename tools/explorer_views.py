@@ -32,16 +32,17 @@ def read_views(html: str) -> list[View]:
     if found is None:
         raise ValueError("expected a page with explorers, got one without their state")
     models = json.loads(found[1])["state"]
-    classes = {f"{one.__module__}.{one.__qualname__}": one for one in get_view_classes()}
+    classes = {f"{one.__module__}.{one.__qualname__}": one for one in find_view_classes()}
     shown = re.findall(r'"model_id": "(\w+)"', html)
     boxes = [models[one]["state"] for one in shown if "children" in models[one]["state"]]
     first = [models[box["children"][0].removeprefix("IPY_MODEL_")] for box in boxes]
     return [make_view(classes[model["state"]["_anywidget_id"]], model) for model in first]
 
 
-def get_view_classes() -> list[type[View]]:
-    """List the views of all explorers."""
-    return [one for one in View.__subclasses__() if one.__module__.startswith(explorers.__name__)]
+def find_view_classes(kind: type[View] = View) -> list[type[View]]:
+    """List the views of all explorers, wherever they are derived."""
+    found = [one for child in kind.__subclasses__() for one in (child, *find_view_classes(child))]
+    return [one for one in found if one.__module__.startswith(explorers.__name__)]
 
 
 def make_view(view_class: type[View], model: dict[str, Any]) -> View:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from content.chapters import list_required
+from content.chapters import REGISTRY, list_required
 from content.objectives import find_problems
 from content.quiz_items import Choice, Item
 from tools.derive import objectives as make_objectives
@@ -111,7 +111,10 @@ CROWDED = {"6f": ("step6_view", "one too many")}
         (
             lambda b: {"chapters": [one for one in b.chapters if one.id != "conventions"]},
             [
-                "questions of conventions: no chapter has this page; add a row to content/chapters.yml"
+                (
+                    "questions of conventions: no chapter has this page; add a row to "
+                    f"{REGISTRY.as_posix()}"
+                )
             ],
         ),
         (
