@@ -1,6 +1,6 @@
-"""What the book consists of, as data: concept questions and how long pages take.
+"""What the book consists of, as data: chapters, contents, labels, questions, objectives, minutes.
 
-Read by the book's hooks, by tools and by tests. Imports nothing of the other rooms.
+Read by the book's hooks, by the cards, by tools and by tests. Imports nothing of the other rooms.
 """
 
 from pathlib import Path

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
+
+from content import ROOT
+from content.chapters import list_taught
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 # "| Reading | about 20 minutes |" of the card at the top of a chapter, "Time" of exercises
 TIME = re.compile(
@@ -29,15 +34,18 @@ class Minutes:
         return self.reading + self.doing
 
 
-def read_minutes(root: Path, toc: dict[str, Any]) -> dict[int, Minutes]:
-    """Add up what the cards of the chapters and exercise pages of a step say."""
-    found: dict[int, Minutes] = {}
-    for name in re.findall(r"'file': '([^']+)'", str(toc)):
-        if match := re.match(r"step(\d)", Path(name).name):
-            text = (root / name).with_suffix(".md").read_text(encoding="utf-8")
-            step = int(match[1])
-            found[step] = found.get(step, Minutes()) + parse_minutes(text)
-    return found
+def read_minutes(root: Path = ROOT) -> dict[str, Minutes]:
+    """Add up, by the id of a chapter, what its page and its exercise page say."""
+    return {
+        chapter.id: sum(
+            (
+                parse_minutes((root / page).with_suffix(".md").read_text(encoding="utf-8"))
+                for page in (chapter.page, chapter.exercises)
+            ),
+            Minutes(),
+        )
+        for chapter in list_taught(root)
+    }
 
 
 def parse_minutes(text: str) -> Minutes:

@@ -25,13 +25,14 @@ from typing import Any
 import yaml
 
 from content import ROOT
+from content.fields import check_fields
 
 CONCEPTS = ROOT / "exercises" / "concepts"
 
 MIN_FEEDBACK = 40  # characters; "wrong" explains nothing
 ITEMS_PER_PAGE = range(2, 6)
 CHOICES = range(3, 5)
-ITEM_ID = re.compile(r"[0-9a-z][a-z0-9]")
+ITEM_ID = re.compile(r"[0-9a-z]{2,8}")
 
 
 class QuizError(ValueError):
@@ -111,14 +112,17 @@ def list_pages(folder: Path = CONCEPTS) -> list[str]:
 
 def _read_item(page: str, place: int, entry: Any) -> Item:
     where = f"{page}.yml, question {place}"
-    fields = _check_fields(
+    fields = check_fields(
         where,
         entry,
         required={"id": str, "section": str, "question": str, "choices": list},
         optional={"objective": str, "check": str},
+        error=QuizError,
     )
     if not ITEM_ID.fullmatch(fields["id"]):
-        raise QuizError(f"{where}: id: expected two characters such as 2a, got {fields['id']!r}")
+        raise QuizError(
+            f"{where}: id: expected letters and digits such as 2a, got {fields['id']!r}"
+        )
     where = f"{page}.yml, {fields['id']}"
     if len(fields["choices"]) not in CHOICES:
         raise QuizError(f"{where}: expected 3 or 4 choices, got {len(fields['choices'])}")
@@ -144,9 +148,8 @@ def _read_item(page: str, place: int, entry: Any) -> Item:
 
 
 def _read_choice(where: str, entry: Any) -> Choice:
-    fields = _check_fields(
-        where, entry, required={"text": str, "feedback": str}, optional={"right": bool}
-    )
+    texts = {"text": str, "feedback": str}
+    fields = check_fields(where, entry, texts, {"right": bool}, QuizError)
     feedback = fields["feedback"].strip()
     if len(feedback) < MIN_FEEDBACK:
         raise QuizError(
@@ -154,25 +157,3 @@ def _read_choice(where: str, entry: Any) -> Choice:
             f"got {feedback!r}"
         )
     return Choice(fields["text"].strip(), feedback, fields.get("right", False))
-
-
-def _check_fields(
-    where: str, entry: Any, required: dict[str, type], optional: dict[str, type]
-) -> dict[str, Any]:
-    """Return the entry if it has the fields it should have, all of them filled."""
-    if not isinstance(entry, dict):
-        raise QuizError(f"{where}: expected fields with names, got {entry!r}")
-    known = required | optional
-    if unknown := sorted(map(str, entry.keys() - known.keys())):
-        raise QuizError(f"{where}: unknown field {unknown[0]}; known are {', '.join(known)}")
-    for name in required:
-        if name not in entry:
-            raise QuizError(f"{where}: the field {name} is missing")
-    for name, value in entry.items():
-        wanted = known[name]
-        if not isinstance(value, wanted):
-            hint = "; write it in quotes" if wanted is str else ""
-            raise QuizError(f"{where}: {name}: expected {wanted.__name__}, got {value!r}{hint}")
-        if wanted is str and not value.strip():
-            raise QuizError(f"{where}: {name}: is empty")
-    return entry

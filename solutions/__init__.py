@@ -6,6 +6,7 @@ from functools import cache
 from importlib import import_module
 from pathlib import Path
 
+from content.chapters import load_chapters
 from labutils.checks.report import QUALITY_POINTS
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
@@ -22,7 +23,7 @@ __all__ = [
 
 @cache
 def load_exercises() -> dict[str, Exercise]:
-    """Import every card and return the exercises by name, in the order of the steps."""
+    """Import every card and return the exercises by name, in the order of the chapters."""
     stems = sorted(
         path.stem for path in Path(__file__).parent.glob("*.py") if not path.stem.startswith("_")
     )
@@ -30,4 +31,6 @@ def load_exercises() -> dict[str, Exercise]:
     wrong = [card.name for stem, card in zip(stems, cards, strict=True) if card.name != stem]
     if wrong:
         raise ValueError(f"solutions: expected cards named like their files, got {wrong}")
-    return {card.name: card for card in sorted(cards, key=lambda card: (card.step, card.place))}
+    order = [chapter.id for chapter in load_chapters()]
+    cards.sort(key=lambda card: (order.index(card.chapter), card.place))
+    return {card.name: card for card in cards}

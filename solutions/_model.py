@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import inspect
 import itertools
-import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from content.chapters import get_chapter
+from content.labels import make_link
 from labutils.checks.calls import call_once
 from labutils.checks.compare import is_same_outcome, to_canonical
 from labutils.checks.kinds import get_kind
@@ -24,21 +25,17 @@ from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raise
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from content.chapters import Chapter
+
 __all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part"]
 
 #: With "Recognized: " before it, a text of this length fills two lines of a verdict. Two mistakes
 #: at once then still fit below twelve lines.
 MAX_TEXT = 176
 
-#: The chapter of every step; a label such as step4-clean names its step.
-CHAPTERS = (
-    "step1_camera",
-    "step2_intrinsics",
-    "step3_depth",
-    "step4_color",
-    "step5_cloud",
-    "step6_view",
-)
+#: How many mistakes a card recognizes, and how many characters their texts have at least.
+MISCONCEPTIONS = range(4, 8)
+MIN_TEXT = 40
 
 Mistakes = frozenset[str]
 
@@ -57,10 +54,10 @@ class Misconception:
     def __post_init__(self) -> None:
         if not self.name or self.name != self.name.lower() or " " in self.name:
             raise ValueError(f"misconception: expected a name-like-this, got {self.name!r}")
-        if not 40 <= len(self.text) <= MAX_TEXT or not self.text.endswith("."):
+        if not MIN_TEXT <= len(self.text) <= MAX_TEXT or not self.text.endswith("."):
             raise ValueError(
-                f"misconception {self.name}: expected sentences of 40 to {MAX_TEXT} characters, "
-                f"got {len(self.text)}"
+                f"misconception {self.name}: expected sentences of {MIN_TEXT} to {MAX_TEXT} "
+                f"characters that end with a full stop, got {len(self.text)}"
             )
 
 
@@ -77,11 +74,13 @@ class Absorbed:
 class Exercise:
     """One card of the instructor's room.
 
-    Lab exercises have points, challenges have none. What a challenge asks for is not in labutils,
-    so its reference stands on its card.
+    Exercises of the lab have points, challenges and extensions have none. What a challenge asks for
+    is not in labutils, so its reference stands on its card.
 
     Parameters
     ----------
+    chapter : str
+        Id of its chapter in ``content/chapters.yml``, such as "step4".
     section : str
         Label of the section to read again, such as "step4-clean".
     objectives : tuple of str
@@ -97,12 +96,12 @@ class Exercise:
     tolerance_reason : str
         Why the tolerance is neither tighter nor wider.
     place : int
-        Position among the exercises of its step.
+        Position among the exercises of its chapter.
     """
 
     name: str
     title: str
-    step: int
+    chapter: str
     points: int
     section: str
     objectives: tuple[str, ...]
@@ -120,8 +119,11 @@ class Exercise:
 
     def __post_init__(self) -> None:
         names = [one.name for one in self.misconceptions]
-        if len(set(names)) != len(names) or not 4 <= len(names) <= 7:
-            raise ValueError(f"{self.name}: expected 4 to 7 different misconceptions, got {names}")
+        if len(set(names)) != len(names) or len(names) not in MISCONCEPTIONS:
+            low, high = MISCONCEPTIONS[0], MISCONCEPTIONS[-1]
+            raise ValueError(
+                f"{self.name}: expected {low} to {high} different misconceptions, got {names}"
+            )
         for part in self.parts:
             get_kind(part)  # raises where there is no such kind
         if len(self.hints) != MAX_HINTS or not all(self.hints):
@@ -133,22 +135,31 @@ class Exercise:
             raise ValueError(f"{self.name}: expected a reason with every exception and tolerance")
         if self.reference.__name__ != self.name:
             raise ValueError(f"{self.name}: the reference is called {self.reference.__name__}")
-        if self.points < 0 or not 1 <= self.step <= 6:
-            raise ValueError(f"{self.name}: expected points and a step from 1 to 6")
         if not self.objectives:
             raise ValueError(f"{self.name}: expected at least one objective")
+        self._verify_place()
+
+    def _verify_place(self) -> None:
+        """Refuse points that the chapter does not have, and sections that no chapter has."""
+        if self.points < 0 or (self.home.is_extension and self.points):
+            raise ValueError(
+                f"{self.name}: expected points of 0 or more, and 0 in an extension, "
+                f"got {self.points} in {self.chapter}"
+            )
+        if not (self.points or self.is_challenge or self.home.is_extension):
+            raise ValueError(f"{self.name}: expected points, its reference is in the library")
         for label in (self.section, *(one.section for one in self.misconceptions if one.section)):
-            get_link(label)  # raises where it names no step
+            make_link(label)  # raises where there is no such section
 
     @property
     def is_challenge(self) -> bool:
         """Whether it goes beyond the lab: no points, and not in the library."""
-        return self.points == 0
+        return not self.points and self.reference.__module__.partition(".")[0] != "labutils"
 
     @property
-    def chapter(self) -> str:
-        """The stem of the chapter of its step."""
-        return CHAPTERS[self.step - 1]
+    def home(self) -> Chapter:
+        """The row of its chapter."""
+        return get_chapter(self.chapter)
 
     @property
     def parameters(self) -> tuple[str, ...]:
@@ -190,14 +201,15 @@ class Exercise:
         return CheckTable(
             name=self.name,
             title=self.title,
-            step=self.step,
+            chapter=self.home.short,
+            kind=self.home.kind,
             points=self.points,
             parameters=self.parameters,
-            section=get_link(self.section),
+            section=make_link(self.section),
             parts=self.parts,
             hints=self.hints,
             misconceptions={one.name: one.text for one in self.misconceptions},
-            links={one.name: get_link(one.section) for one in self.misconceptions if one.section},
+            links={one.name: make_link(one.section) for one in self.misconceptions if one.section},
             cases=cases,
             expected=expected,
             wrong=wrong,
@@ -217,13 +229,6 @@ class Exercise:
                 f"{self.name}: answer_with without mistakes differs from the reference on "
                 f"{case.label!r}"
             )
-
-
-def get_link(label: str) -> str:
-    """Return the address of a labeled section, relative to any page of the book."""
-    if not re.fullmatch(r"step[1-6]-[a-z-]+", label):
-        raise ValueError(f"section: expected a label such as step4-clean, got {label!r}")
-    return f"../book/{CHAPTERS[int(label[4]) - 1]}.html#{label}"
 
 
 def round_outcome(outcome: Outcome) -> Outcome:

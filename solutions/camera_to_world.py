@@ -51,7 +51,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="camera_to_world",
     title="move points from the camera into the world",
-    step=5,
+    chapter="step5",
     place=2,
     points=6,
     section="step5-world",

@@ -73,7 +73,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="choose_pan",
     title="turn the head toward a pixel",
-    step=1,
+    chapter="step1",
     place=12,
     points=0,
     section="step1-pan",

@@ -87,7 +87,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="crop_region",
     title="keep what lies in a box before the robot",
-    step=5,
+    chapter="step5",
     place=12,
     points=0,
     section="step5-world",

@@ -73,7 +73,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="depth_to_pointcloud",
     title="turn a depth image into points",
-    step=5,
+    chapter="step5",
     place=1,
     points=14,
     section="step5-point",

@@ -105,7 +105,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="draw_top_view",
     title="draw the cloud as a map",
-    step=6,
+    chapter="step6",
     place=12,
     points=0,
     section="step6-side",

@@ -84,7 +84,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="fill_invalid_depth",
     title="fill the holes of a depth image",
-    step=3,
+    chapter="step3",
     place=11,
     points=0,
     section="step3-invalid",

@@ -160,7 +160,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="find_all_objects",
     title="find every object with color, area and box",
-    step=4,
+    chapter="step4",
     place=11,
     points=0,
     section="step4-clean",

@@ -62,7 +62,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="find_object_centroid",
     title="find the center of the largest object",
-    step=4,
+    chapter="step4",
     place=2,
     points=8,
     section="step4-clean",

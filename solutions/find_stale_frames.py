@@ -97,7 +97,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="find_stale_frames",
     title="find the pictures that show the pose before",
-    step=1,
+    chapter="step1",
     place=11,
     points=0,
     section="step1-stale",

@@ -57,7 +57,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="get_camera_intrinsics",
     title="compute K of a camera of the model",
-    step=2,
+    chapter="step2",
     place=2,
     points=8,
     section="step2-sensor",

@@ -48,7 +48,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="intrinsics_matrix",
     title="build K from a vertical field of view",
-    step=2,
+    chapter="step2",
     place=1,
     points=7,
     section="step2-focal",

@@ -110,7 +110,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="level_cloud",
     title="find the table and level the cloud",
-    step=5,
+    chapter="step5",
     place=13,
     points=0,
     section="step5-world",

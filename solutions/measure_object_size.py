@@ -103,7 +103,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="measure_object_size",
     title="measure how large an object really is",
-    step=5,
+    chapter="step5",
     place=11,
     points=0,
     section="step5-point",

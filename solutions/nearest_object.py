@@ -139,7 +139,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="nearest_object",
     title="choose the nearest object that the hand can take",
-    step=4,
+    chapter="step4",
     place=12,
     points=0,
     section="step4-locate",

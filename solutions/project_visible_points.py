@@ -132,7 +132,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="project_visible_points",
     title="project points and tell which are visible",
-    step=6,
+    chapter="step6",
     place=11,
     points=0,
     section="step6-occlusion",

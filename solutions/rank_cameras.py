@@ -88,7 +88,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="rank_cameras",
     title="sort the cameras by distance",
-    step=1,
+    chapter="step1",
     place=13,
     points=0,
     section="step1-cameras",

@@ -111,7 +111,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="read_ply",
     title="read a cloud back from its file",
-    step=6,
+    chapter="step6",
     place=13,
     points=0,
     section="step6-files",

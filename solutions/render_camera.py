@@ -53,7 +53,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="render_camera",
     title="render color and depth from a named camera",
-    step=1,
+    chapter="step1",
     points=15,
     section="step1-render",
     objectives=("1a", "1b"),

@@ -96,7 +96,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 EXERCISE = Exercise(
     name="which_camera",
     title="tell which camera took the picture",
-    step=2,
+    chapter="step2",
     place=11,
     points=0,
     section="step2-focal",

@@ -10,16 +10,11 @@ from typing import Any
 
 from sphinx.application import Sphinx
 
-STAGES = (
-    ("scene", "book/start"),
-    ("RGB-D", "book/step1_camera"),
-    ("K", "book/step2_intrinsics"),
-    ("meters", "book/step3_depth"),
-    ("mask", "book/step4_color"),
-    ("cloud", "book/step5_cloud"),
-    ("view", "book/step6_view"),
-)
-FIRST_STEP = 1  # the scene is where the strip starts, but its page is no step
+from content.chapters import READING, load_chapters
+
+STAGES = tuple((one.strip, one.page) for one in load_chapters() if one.strip)
+#: The scene is where the strip starts, but its page carries none.
+PAGES = {one.page for one in load_chapters() if one.strip and one.kind != READING}
 
 
 def strip_html(current: str, pages: Collection[str], link_to: Callable[[str], str]) -> str:
@@ -52,8 +47,8 @@ def strip_html(current: str, pages: Collection[str], link_to: Callable[[str], st
 def add_strip(
     app: Sphinx, pagename: str, _templatename: str, context: dict[str, Any], _doctree: object
 ) -> None:
-    """Put the strip above the title of a step page."""
-    if pagename in {page for _, page in STAGES[FIRST_STEP:]} and "body" in context:
+    """Put the strip above the title of a chapter."""
+    if pagename in PAGES and "body" in context:
         strip = strip_html(pagename, app.env.found_docs, context["pathto"])
         context["body"] = strip + context["body"]
 

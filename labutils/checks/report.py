@@ -19,7 +19,7 @@ QUALITY_POINTS = 10
 class Row:
     """One line of the report."""
 
-    step: int
+    chapter: str
     name: str
     title: str
     points: int
@@ -27,6 +27,7 @@ class Row:
     passed: bool
     hints: int
     section: str
+    extension: bool = False
 
 
 @dataclass(frozen=True)
@@ -42,16 +43,26 @@ class Report:
         return sum(row.points for row in self.rows if row.passed)
 
     @property
+    def lab(self) -> tuple[Row, ...]:
+        """The rows of the lab: exercises and challenges."""
+        return tuple(row for row in self.rows if not row.extension)
+
+    @property
+    def extensions(self) -> tuple[Row, ...]:
+        """The rows of chapters outside of the lab; they have no points."""
+        return tuple(row for row in self.rows if row.extension)
+
+    @property
     def next_row(self) -> Row | None:
-        """The first exercise of the lab that is not done, or else the first challenge."""
-        left = [row for row in self.rows if not row.passed]
+        """The first exercise of the lab that is not done, else a challenge, else an extension."""
+        left = [row for row in (*self.lab, *self.extensions) if not row.passed]
         return next((row for row in left if row.points), left[0] if left else None)
 
     @property
     def summary(self) -> tuple[str, ...]:
         """The sentences under the table."""
-        lab = [row for row in self.rows if row.points]
-        challenges = [row for row in self.rows if not row.points]
+        lab = [row for row in self.lab if row.points]
+        challenges = [row for row in self.lab if not row.points]
         total = sum(row.points for row in lab)
         done = sum(row.passed for row in lab)
         lines = [
@@ -65,6 +76,12 @@ class Report:
             ),
             HIDDEN_CASES,
         ]
+        if self.extensions:
+            lines.insert(
+                2,
+                f"Extensions: {sum(row.passed for row in self.extensions)} of "
+                f"{len(self.extensions)}. They are no part of the lab and have no points.",
+            )
         row = self.next_row
         if row is None:
             lines.append("Next: nothing is left here.")
@@ -75,28 +92,25 @@ class Report:
     def __repr__(self) -> str:
         lines = [f"{'step':<5}{'exercise':<24}{'points':>6}  {'hints':<6}state"]
         lines += [
-            f"{row.step:<5}{row.name:<24}{row.points or '-':>6}  "
+            f"{row.chapter:<5}{row.name:<24}{row.points or '-':>6}  "
             f"{row.hints}/{MAX_HINTS}   {row.state}"
-            for row in self.rows
+            for row in self.lab
         ]
+        if self.extensions:
+            width = max(len("extension"), *(len(row.chapter) for row in self.extensions)) + 2
+            lines += ["", f"{'extension':<{width}}{'exercise':<24}{'hints':<6}state"]
+            lines += [
+                f"{row.chapter:<{width}}{row.name:<24}{row.hints}/{MAX_HINTS}   {row.state}"
+                for row in self.extensions
+            ]
         return "\n".join([*lines, "", *self.summary])
 
     def _repr_html_(self) -> str:
-        heads = "".join(
-            f'<th scope="col" style="text-align:left">{name}</th>'
-            for name in ("step", "exercise", "points", "hints", "state")
-        )
-        body = "".join(
-            f'<tr><td>{row.step}</td><th scope="row" style="text-align:left;font-weight:normal">'
-            f'<a href="{html.escape(row.section)}" style="color:inherit">'
-            f"<code>{row.name}</code></a> "
-            f"{html.escape(row.title)}</th><td>{row.points or '-'}</td>"
-            f'<td>{row.hints}/{MAX_HINTS}</td><td style="text-align:left">'
-            f"{html.escape(row.state)}</td></tr>"
-            for row in self.rows
-        )
+        tables = _make_table("step", self.lab)
+        if self.extensions:
+            tables += _make_table("extension", self.extensions)
         notes = "".join(f"<p>{html.escape(line)}</p>" for line in self.summary)
-        return f"<table><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>{notes}"
+        return f"{tables}{notes}"
 
     def to_page(self) -> str:
         """Return a whole HTML page that needs nothing else."""
@@ -112,6 +126,25 @@ class Report:
             "td,th{padding:.3rem .2rem}}</style></head>"
             f"<body><h1>Lab progress</h1>{self._repr_html_()}</body></html>\n"
         )
+
+
+def _make_table(first: str, rows: tuple[Row, ...]) -> str:
+    """Return rows as an HTML table; those of extensions have no column of points."""
+    has_points = first == "step"
+    names = (first, "exercise", *(["points"] if has_points else []), "hints", "state")
+    heads = "".join(f'<th scope="col" style="text-align:left">{name}</th>' for name in names)
+    body = "".join(
+        f"<tr><td>{html.escape(row.chapter)}</td>"
+        f'<th scope="row" style="text-align:left;font-weight:normal">'
+        f'<a href="{html.escape(row.section)}" style="color:inherit">'
+        f"<code>{row.name}</code></a> "
+        f"{html.escape(row.title)}</th>"
+        + (f"<td>{row.points or '-'}</td>" if has_points else "")
+        + f'<td>{row.hints}/{MAX_HINTS}</td><td style="text-align:left">'
+        f"{html.escape(row.state)}</td></tr>"
+        for row in rows
+    )
+    return f"<table><thead><tr>{heads}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def report(folder: str | Path | None = None) -> Report:
@@ -133,7 +166,7 @@ def report(folder: str | Path | None = None) -> Report:
         record = progress.records.get(name)
         rows.append(
             Row(
-                step=words["step"],
+                chapter=words["chapter"],
                 name=name,
                 title=words["title"],
                 points=words["points"],
@@ -141,6 +174,7 @@ def report(folder: str | Path | None = None) -> Report:
                 passed=record is not None and record.passed,
                 hints=record.hints if record else 0,
                 section=find_link(words["section"]),
+                extension=words["kind"] == "extension",
             )
         )
     return Report(tuple(rows), progress.notice)

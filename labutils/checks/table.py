@@ -115,7 +115,9 @@ class CheckTable:
 
     name: str
     title: str
-    step: int
+    #: What the report calls its chapter, and whether that is "required" or an "extension".
+    chapter: str
+    kind: str
     points: int
     parameters: tuple[str, ...]
     section: str
@@ -172,7 +174,8 @@ def load_table(name: str, folder: Path = TABLES) -> CheckTable:
     return CheckTable(
         name=name,
         title=words["title"],
-        step=words["step"],
+        chapter=words["chapter"],
+        kind=words["kind"],
         points=words["points"],
         parameters=tuple(words["parameters"]),
         section=words["section"],

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import nbformat
 import pytest
 
+from content.chapters import list_required, list_taught
 from labutils import is_gl_available
-from tests.helpers.chapters import ROOT, convert, get_executable_pages, run_notebook, run_tool
+from tests.helpers.chapters import convert, get_executable_pages, run_notebook, run_tool
 
 
 @pytest.mark.slow
@@ -48,6 +47,5 @@ def test_a_chapter_that_reaches_for_the_network_is_told(tmp_path):
 
 def test_there_are_chapters_to_run():
     names = [page.name for page in get_executable_pages()]
-    steps = [p.stem for p in Path(ROOT / "book").glob("step*.md")]
-    assert len(steps) == 6
-    assert set(steps) <= set(names)
+    assert len(list_required()) == 6
+    assert {chapter.stem for chapter in list_taught()} <= set(names)

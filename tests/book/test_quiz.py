@@ -91,7 +91,7 @@ def change_choice(place, **fields):
     ("entry", "message"),
     [
         ("text", "question 1: expected fields with names, got 'text'"),
-        (GOOD | {"id": "x-long"}, "id: expected two characters such as 2a, got 'x-long'"),
+        (GOOD | {"id": "x-long"}, "id: expected letters and digits such as 2a, got 'x-long'"),
         (GOOD | {"id": 12}, "id: expected str, got 12; write it in quotes"),
         (GOOD | {"hint": "?"}, "unknown field hint; known are id, section"),
         (GOOD | {"question": " "}, "question: is empty"),

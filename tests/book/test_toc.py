@@ -7,16 +7,17 @@ from pathlib import Path
 
 import pytest
 
+from content.chapters import OBJECTIVES, list_taught
 from solutions import load_exercises
 from tests.helpers.chapters import ROOT, find_orphans, find_pages, get_toc_pages
 
-STEPS = [page for page in get_toc_pages() if page.match("book/step*")]
+CHAPTERS = list_taught()
 EXERCISES = [page for page in get_toc_pages() if page.parts[0] == "exercises"]
 STARTER = r"^```\{code-cell\}[^\n]*\n:tags: \[exercise\]\n.*?^```$"
 PAGES = find_pages()
 
 
-def read(page: Path) -> str:
+def read(page: Path | str) -> str:
     """The text of a page."""
     return (ROOT / page).with_suffix(".md").read_text(encoding="utf-8")
 
@@ -60,20 +61,20 @@ def test_every_picture_says_its_finding_in_words(page):
     assert not re.search(r"!\[\]\(", text), "an image without words"
 
 
-@pytest.mark.parametrize("page", STEPS, ids=str)
-def test_the_recap_answers_the_objectives_one_by_one(page):
-    number = page.name[4]
-    text = read(page)
-    head, _, tail = text.partition("## Recap")
-    pattern = rf"^- \*\*({number}[a-e])\.\*\* "
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_the_recap_answers_the_objectives_one_by_one(chapter):
+    head, _, tail = read(chapter.page).partition("## Recap")
+    pattern = rf"^- \*\*({chapter.prefix}[a-e])\.\*\* "
     objectives = re.findall(pattern, head, re.MULTILINE)
-    assert 3 <= len(objectives) <= 5
-    assert re.findall(pattern, tail, re.MULTILINE) == objectives
+    due = OBJECTIVES[chapter.kind]
+    assert len(objectives) in due, f"expected {due[0]} to {due[-1]} objectives, got {objectives}"
+    answered = re.findall(pattern, tail, re.MULTILINE)
+    assert answered == objectives, "expected the objectives again in the recap, in their order"
 
 
-@pytest.mark.parametrize("page", STEPS, ids=str)
-def test_steps_have_the_sections_of_the_anatomy_in_order(page):
-    headings = re.findall(r"^## (.+)$", read(page), re.MULTILINE)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter):
+    headings = re.findall(r"^## (.+)$", read(chapter.page), re.MULTILINE)
     fixed = [
         "Question and objectives",
         "Where we are",
@@ -91,23 +92,27 @@ def test_steps_have_the_sections_of_the_anatomy_in_order(page):
     assert 1 <= len(ideas) <= 3
 
 
-@pytest.mark.parametrize("page", STEPS, ids=str)
-def test_every_step_has_its_exercise_page_and_leads_to_it(page):
-    assert Path("exercises", page.name) in EXERCISES
-    _, _, tail = read(page).partition("\n## Exercises\n")
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_every_chapter_has_its_exercise_page_and_leads_to_it(chapter):
+    assert Path(chapter.exercises) in EXERCISES
+    _, _, tail = read(chapter.page).partition("\n## Exercises\n")
     section, _, _ = tail.partition("\n## ")
-    cards = [one for one in load_exercises().values() if one.chapter == page.name]
-    assert cards
-    assert f"(../exercises/{page.name}.md)" in section
+    cards = [one for one in load_exercises().values() if one.chapter == chapter.id]
+    assert cards, f"expected at least one exercise of {chapter.id}"
+    assert f"(../{chapter.exercises}.md)" in section
     for card in cards:
-        points = "" if card.is_challenge else f" ({card.points} points)"
+        points = f" ({card.points} points)" if card.points else ""
         assert f"`{card.name} <exercise-{card.name.replace('_', '-')}>`{points}" in section
 
 
-@pytest.mark.parametrize("page", EXERCISES, ids=str)
-def test_exercise_pages_state_start_check_and_hint_each_exercise(page):
-    text = read(page)
-    cards = [one for one in load_exercises().values() if one.chapter == page.name]
+def test_every_exercise_page_belongs_to_a_chapter():
+    assert [page.as_posix() for page in EXERCISES] == [one.exercises for one in CHAPTERS]
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter):
+    text = read(chapter.exercises)
+    cards = [one for one in load_exercises().values() if one.chapter == chapter.id]
     for card in cards:
         label = f"(exercise-{card.name.replace('_', '-')})=\n## "
         _, _, tail = text.partition(label)
@@ -118,19 +123,21 @@ def test_exercise_pages_state_start_check_and_hint_each_exercise(page):
         assert f'\ncheck("{card.name}", {card.name})\n' in section
         assert f'hint("{card.name}")' in section
         statement, _, _ = section.partition("<!-- begin exercise")
-        assert len(statement.split()) > 40
-        assert f"{card.name}(" in statement  # an example call
+        words = len(statement.split())
+        assert words > 40, f"{card.name}: expected a statement of more than 40 words, got {words}"
+        assert f"{card.name}(" in statement, f"{card.name}: expected an example call"
         for hint in card.hints:
             assert hint not in text  # hints are asked for, and counted
     assert text.count(":tags: [exercise]") == len(cards)
 
 
-@pytest.mark.parametrize("page", STEPS, ids=str)
-def test_steps_ask_before_they_show_and_check_against_the_truth(page):
-    text = read(page)
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_chapters_ask_before_they_show_and_check_against_the_truth(chapter):
+    text = read(chapter.page)
     for box in ("predict", "check", "pitfall", "tryit"):
-        assert re.search(rf"^:class: {box}$", text, re.MULTILINE), box
-    assert "nbval-check-output" in text
+        found = re.search(rf"^:class: {box}$", text, re.MULTILINE)
+        assert found, f"expected at least one box of the class {box}"
+    assert "nbval-check-output" in text, "expected a cell whose output is compared"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=str)

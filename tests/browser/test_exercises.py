@@ -9,7 +9,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
+import yaml
 
+from content.chapters import REGISTRY, get_chapter, load_chapters
 from labutils.checks import judge
 from labutils.checks.table import load_table
 from solutions import load_exercises
@@ -18,7 +20,7 @@ from tools.vendor.pack_python import list_page_exercises
 pytestmark = pytest.mark.slow
 
 ROOT = Path(__file__).resolve().parents[2]
-CHAPTERS = {card.step: card.chapter for card in load_exercises().values()}
+CHAPTERS = {card.chapter for card in load_exercises().values()}
 CARDS = {name: load_exercises()[name] for name in list_page_exercises()}
 
 # The cards import MuJoCo where they make cases; answering needs none of it.
@@ -46,6 +48,14 @@ def plan(tmp_path_factory):
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted((ROOT / "solutions").glob("*.py")):
             archive.write(path, f"solutions/{path.name}")
+        # a card asks the registry for its chapter, and the pages for its labels
+        for path in sorted((ROOT / "content").glob("*.py")):
+            archive.write(path, f"content/{path.name}")
+        archive.write(ROOT / REGISTRY, REGISTRY.as_posix())
+        for chapter in load_chapters():
+            archive.write(ROOT / f"{chapter.page}.md", f"{chapter.page}.md")
+        for path in sorted(Path(yaml.__file__).parent.glob("*.py")):
+            archive.write(path, f"yaml/{path.name}")
     exercises = {
         name: {
             "reference": ANSWER.format(name=name, made=()),
@@ -60,20 +70,20 @@ def plan(tmp_path_factory):
 
 
 @pytest.fixture(scope="module", params=sorted(CHAPTERS))
-def step(request, chromium, file_site, plan, page_python):  # noqa: ARG001 - what it needs to run
+def used(request, chromium, file_site, plan, page_python):  # noqa: ARG001 - what it needs to run
     """One page with all its exercises, opened from a file."""
     return request.param, chromium("exercises.mjs", file_site, page_of(request.param), plan)
 
 
-def page_of(step):
-    return f"exercises/{CHAPTERS[step]}"
+def page_of(chapter):
+    return get_chapter(chapter).exercises
 
 
-def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(step):
-    number, done = step
+def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
+    chapter, done = used
     assert done["complaints"] == []
     assert "ready" in done["setup"]["text"]
-    names = [name for name, card in CARDS.items() if card.step == number]
+    names = [name for name, card in CARDS.items() if card.chapter == chapter]
     assert sorted(done["said"]) == sorted(names)
     for name in names:
         said = done["said"][name]
@@ -89,8 +99,8 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(step):
         assert ".html" not in said["wrong"]["text"]
 
 
-def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(step):
-    _, done = step
+def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
+    _, done = used
     for name, said in done["said"].items():
         wrong = CARDS[name].make_wrong((CARDS[name].misconceptions[0].name,))
         drawn = judge(load_table(name), wrong).picture is not None
@@ -98,7 +108,7 @@ def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(step):
 
 
 def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  # noqa: ARG001
-    done = chromium("exercises.mjs", http_site, page_of(3))
+    done = chromium("exercises.mjs", http_site, page_of("step3"))
     (said,) = done["said"].values()
     assert said["starter"]["result"] == "failed"
     assert "Not started yet." in said["starter"]["text"]
@@ -106,6 +116,6 @@ def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  
 
 
 def test_python_works_in_firefox_too(firefox, site, page_python):  # noqa: ARG001
-    done = firefox("exercises_firefox.mjs", site, page_of(3))
+    done = firefox("exercises_firefox.mjs", site, page_of("step3"))
     assert "Not started yet." in done["text"]
     assert done["complaints"] == []

@@ -2,34 +2,21 @@
 
 from __future__ import annotations
 
-import base64
 import json
-import re
 from math import inf
 
 import pytest
 
 from labutils import explorers
-from labutils.explorers._base import View
-from tests.helpers.chapters import ROOT, find_widgets, get_toc_pages
-from tests.helpers.views import find_view_classes
-
-STATE = r'<script type="application/vnd\.jupyter\.widget-state\+json">(.*?)</script>'
+from tests.helpers.chapters import ROOT, find_widgets
+from tools.explorer_views import find_pages, read_views
 
 #: JavaScript and NumPy round the same formulas in another order.
 RTOL = 1e-6
 ATOL = 1e-9
 
 
-def find_pages_with_explorers() -> list[str]:
-    return [
-        page.as_posix()
-        for page in get_toc_pages()
-        if "from labutils.explorers import" in (ROOT / page).with_suffix(".md").read_text("utf-8")
-    ]
-
-
-PAGES = find_pages_with_explorers()
+PAGES = find_pages()
 
 
 @pytest.fixture(scope="module", params=["file", "http"])
@@ -48,32 +35,6 @@ def used(protocol, page, request, chromium, once):
     site = request.getfixturevalue(f"{protocol}_site")
     name = f"explorers-{protocol}-{page.replace('/', '-')}"
     return once(name, lambda: chromium("explorers.mjs", site, page))
-
-
-def read_views(html: str) -> list[View]:
-    """Make the views of a page again, from what the page holds of them, in the page's order."""
-    models = json.loads(re.search(STATE, html, re.DOTALL)[1])["state"]
-    classes = {f"{one.__module__}.{one.__qualname__}": one for one in find_view_classes()}
-    shown = re.findall(r'"model_id": "(\w+)"', html)
-    boxes = [models[one]["state"] for one in shown if "children" in models[one]["state"]]
-    first = [models[box["children"][0].removeprefix("IPY_MODEL_")] for box in boxes]
-    return [make_view(classes[model["state"]["_anywidget_id"]], model) for model in first]
-
-
-def make_view(view_class: type[View], model: dict) -> View:
-    traits = {
-        name: value
-        for name, value in model["state"].items()
-        if name in view_class.class_trait_names(sync=True) and not name.startswith("_")
-    }
-    traits.pop("layout", None)
-    for buffer in model.get("buffers", []):
-        (name,) = buffer["path"]
-        traits[name] = base64.b64decode(buffer["data"])
-    start = traits.pop("start")
-    view = view_class(**{k: v for k, v in traits.items() if k not in ("tabbable", "tooltip")})
-    assert view.start == start
-    return view
 
 
 def agree(expected, found) -> bool:

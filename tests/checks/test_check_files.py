@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from content.chapters import get_chapter
 from solutions import load_exercises
 from tools.derive import exercises
 
@@ -113,17 +114,21 @@ def test_packed_arrays_come_back(tool):
 
 def test_pages_are_derived_and_what_does_not_fit_is_refused(files, tool):
     exercises = load_exercises()
-    page = ROOT / "exercises" / "step4_color.md"
+    step4 = get_chapter("step4")
+    page = ROOT / f"{step4.exercises}.md"
     text = page.read_text(encoding="utf-8")
     assert files[page.relative_to(ROOT)] == text.encode()
-    assert tool.fill_page(text.replace("12 points", "99 points"), exercises, 4) == text
+    assert tool.fill_page(text.replace("12 points", "99 points"), exercises, step4) == text
     with pytest.raises(ValueError, match="expected headings"):
-        tool.fill_page(text.replace("(exercise-nearest-object)=\n", ""), exercises, 4)
+        tool.fill_page(text.replace("(exercise-nearest-object)=\n", ""), exercises, step4)
     with pytest.raises(ValueError, match="expected the marked parts"):
-        tool.fill_page(text.replace("<!-- begin card -->", ""), exercises, 4)
-    chapter = ROOT / "book" / "step4_color.md"
+        tool.fill_page(text.replace("<!-- begin card -->", ""), exercises, step4)
+    chapter = ROOT / f"{step4.page}.md"
     text = chapter.read_text(encoding="utf-8")
-    assert tool.fill_chapter(text.replace("8 points", "9 points"), exercises, chapter) == text
+    assert tool.fill_chapter(text.replace("8 points", "9 points"), exercises, step4) == text
+    without = {name: one for name, one in exercises.items() if one.chapter != "step4"}
+    with pytest.raises(ValueError, match=r"step4: .* make new-exercise NAME=\.\.\. CHAPTER=step4"):
+        tool.fill_chapter(text, without, step4)
 
 
 def test_starters_fit_into_a_cell_without_scrolling(files, tool):

@@ -2,6 +2,7 @@
 
 import json
 import sys
+from dataclasses import replace
 
 import pytest
 
@@ -133,6 +134,44 @@ def test_report_in_jupyter_and_as_a_page_says_the_same():
             assert row.name in text
         assert "6 of 90 points" in text
     assert found.to_page().startswith("<!doctype html>")
+
+
+def make_extended(**changes):
+    """The report of the lab with two rows of an extension."""
+    lab = report()
+    row = replace(lab.rows[0], chapter="Two eyes", points=0, extension=True)
+    rows = (replace(row, name="match_rows"), replace(row, name="find_shift", **changes))
+    return replace(lab, rows=(*rows, *lab.rows))
+
+
+def test_extensions_have_a_table_of_their_own_and_no_points():
+    lab, found = report(), make_extended(passed=True, state="done")
+    assert found.points == lab.points
+    own, _, rest = repr(found).partition("\n\nextension")
+    table, _, sentences = rest.partition("\n\n")
+    assert own == repr(lab).partition("\n\n")[0]
+    assert [line.split("  ")[0] for line in table.splitlines()[1:]] == ["Two eyes", "Two eyes"]
+    assert "points" not in table
+    assert "Extensions: 1 of 2. They are no part of the lab" in sentences
+    assert "Extensions" not in repr(lab)
+    assert found.summary[:2] == lab.summary[:2]
+
+
+def test_extensions_have_a_table_of_their_own_in_jupyter_too():
+    html = make_extended()._repr_html_()
+    first, second = html.split("</table>")[:2]
+    assert first + "</table>" in report()._repr_html_()
+    assert "match_rows" in second
+    assert second.count('<th scope="col"') == 4
+    assert "points</th>" not in second
+
+
+def test_the_lab_comes_before_its_extensions():
+    found = make_extended()
+    assert found.next_row.name == "render_camera"
+    assert not found.next_row.extension
+    done = replace(found, rows=tuple(replace(r, passed=not r.extension) for r in found.rows))
+    assert done.next_row.name == "match_rows"
 
 
 def test_report_when_everything_is_done(folder):

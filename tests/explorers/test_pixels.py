@@ -13,7 +13,7 @@ from labutils.explorers import (
     explore_stereo,
 )
 from labutils.explorers._base import PixelView, read_size
-from tests.helpers.views import find_view_classes
+from tools.explorer_views import find_view_classes
 
 WIDTH, HEIGHT = 9, 6
 RGB = np.random.default_rng(1).integers(0, 256, (HEIGHT, WIDTH, 3), np.uint8)

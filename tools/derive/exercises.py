@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from content.chapters import list_required, list_taught
 from labutils.checks.table import WORDS, CheckTable, encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
@@ -24,9 +25,9 @@ from tools.derive.exercise_pages import (
     describe_points,
     fill_chapter,
     fill_page,
-    get_step,
     make_link,
     make_starter,
+    select,
 )
 from tools.stable_zip import make_zip
 
@@ -35,15 +36,6 @@ STARTERS = Path("exercises/_generated")
 RUBRIC = Path("book/_generated/rubric.md")
 HINTS = Path("solutions/_generated/hints.md")
 NOTE = "Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`."
-
-#: Step to the criterion of the lab's rubric and what it asks for.
-CRITERIA = {
-    1: ("Camera rendering", "Color and depth of the current pose from any camera by name"),
-    2: ("Intrinsics computation", "The camera matrix from an angle and from a model's camera"),
-    3: ("Depth processing", "Meters from the depth buffer, and a picture of them"),
-    4: ("Color segmentation", "A clean mask of one color and the center of the largest object"),
-    5: ("Point cloud generation", "Points in the camera frame and in the world"),
-}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -74,12 +66,11 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
         head = f'"""Starter of the exercise {name}.\n\n{NOTE}\n"""\n\n'
         files[STARTERS / f"{name}.py"] = (head + make_starter(exercise)).encode()
     files[TABLES / WORDS] = (json.dumps(words, indent=1) + "\n").encode()
-    for path in sorted(Path(ROOT, "exercises").glob("step*.md")):
-        text = fill_page(path.read_text(encoding="utf-8"), exercises, get_step(path))
-        files[path.relative_to(ROOT)] = text.encode()
-    for path in sorted(Path(ROOT, "book").glob("step*.md")):
-        text = fill_chapter(path.read_text(encoding="utf-8"), exercises, path)
-        files[path.relative_to(ROOT)] = text.encode()
+    for chapter in list_taught():
+        for page, fill in ((chapter.exercises, fill_page), (chapter.page, fill_chapter)):
+            path = Path(page).with_suffix(".md")
+            text = (ROOT / path).read_text(encoding="utf-8")
+            files[path] = fill(text, exercises, chapter).encode()
     files[RUBRIC] = make_rubric(exercises).encode()
     files[HINTS] = make_hints(exercises).encode()
     return files
@@ -127,7 +118,8 @@ def make_table(table: CheckTable) -> tuple[dict, bytes]:
     arrays: dict[str, np.ndarray] = {}
     words = {
         "title": table.title,
-        "step": table.step,
+        "chapter": table.chapter,
+        "kind": table.kind,
         "points": table.points,
         "parameters": list(table.parameters),
         "section": table.section,
@@ -164,11 +156,13 @@ def make_rubric(exercises: dict[str, Exercise]) -> str:
     """Return the rubric as a table; its points have to sum to 100."""
     rows = ["| Criterion | Points | What is asked | Exercises |", "|---|---:|---|---|"]
     total = QUALITY_POINTS
-    for step, (criterion, asked) in CRITERIA.items():
-        chosen = [one for one in exercises.values() if one.step == step and not one.is_challenge]
+    for chapter in list_required():
+        if not (criterion := chapter.criterion):
+            continue
+        chosen = [one for one in select(exercises, chapter) if one.points]
         points = sum(exercise.points for exercise in chosen)
         names = ", ".join(f"{make_link(exercise)} ({exercise.points})" for exercise in chosen)
-        rows.append(f"| {criterion} | {points} | {asked} | {names} |")
+        rows.append(f"| {criterion.name} | {points} | {criterion.asks} | {names} |")
         total += points
     rows.append(
         f"| Code quality | {QUALITY_POINTS} | Well-documented, modular functions | all of them |"

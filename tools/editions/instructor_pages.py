@@ -1,4 +1,4 @@
-"""Write the pages that only the instructor edition has: one per step, from the cards.
+"""Write the pages that only the instructor edition has: one per chapter, from the cards.
 
 Nothing of it is kept in the repository: reference and mistakes come from ``solutions/``,
 what is said of them is measured anew, the notes are those of ``solutions/notes/``. The
@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import yaml
 
+from content.chapters import list_taught
 from content.page_minutes import Minutes, read_minutes
+from content.toc import read_toc
 from labutils.checks.table import Raised
 from solutions import QUALITY_POINTS, load_exercises
 from tools import ROOT
@@ -27,6 +29,7 @@ from tools.editions.mistakes import SEEDS, Measured, measure
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
+    from content.chapters import Chapter
     from solutions import Exercise
 
 PAGES = Path("solutions", "pages")
@@ -39,8 +42,8 @@ BANNER = "Instructor edition: it holds the solutions. Do not publish it."
 
 def write_pages(root: Path = ROOT) -> str:
     """Write pages, contents and configuration; return what was done, in words."""
-    toc = yaml.safe_load((root / "_toc.yml").read_text(encoding="utf-8"))
-    files = make_pages(root, toc)
+    toc = read_toc(root)
+    files = make_pages(root)
     for old in sorted((root / PAGES).glob("*.md")):
         if PAGES / old.name not in files:
             old.unlink()
@@ -77,41 +80,41 @@ def make_config(config: dict[str, Any]) -> dict[str, Any]:
     return config
 
 
-def make_pages(root: Path, toc: dict[str, Any]) -> dict[Path, str]:
-    """Return the added pages: the overview first, then one per step."""
-    steps: dict[int, list[Exercise]] = {}
+def make_pages(root: Path) -> dict[Path, str]:
+    """Return the added pages: the overview first, then one per chapter."""
+    chapters: dict[Chapter, list[Exercise]] = {one: [] for one in list_taught(root)}
     for exercise in load_exercises().values():
-        steps.setdefault(exercise.step, []).append(exercise)
-    for note in (root / NOTES).glob("step*.md"):
-        steps.setdefault(int(note.stem[4:]), [])
-    minutes = read_minutes(root, toc)
-    pages = {PAGES / "index.md": make_overview(steps, minutes)}
-    for step, exercises in sorted(steps.items()):
-        pages[PAGES / f"step{step}.md"] = make_step(
-            step, exercises, minutes.get(step, Minutes()), read_notes(root, step)
+        chapters[exercise.home].append(exercise)
+    minutes = read_minutes(root)
+    pages = {PAGES / "index.md": make_overview(chapters, minutes)}
+    for chapter, exercises in chapters.items():
+        pages[PAGES / f"{chapter.id}.md"] = make_chapter(
+            chapter, exercises, minutes[chapter.id], read_notes(root, chapter)
         )
     return pages
 
 
-def read_notes(root: Path, step: int) -> str:
-    """Read the teaching notes of a step."""
-    return (root / NOTES / f"step{step}.md").read_text(encoding="utf-8").strip()
+def read_notes(root: Path, chapter: Chapter) -> str:
+    """Read the teaching notes of a chapter."""
+    return (root / NOTES / f"{chapter.id}.md").read_text(encoding="utf-8").strip()
 
 
-def make_overview(steps: dict[int, list[Exercise]], minutes: dict[int, Minutes]) -> str:
-    """Return the page that stands before the steps."""
-    rows = []
-    for step, exercises in sorted(steps.items()):
-        time = minutes.get(step, Minutes())
+def make_overview(chapters: dict[Chapter, list[Exercise]], minutes: dict[str, Minutes]) -> str:
+    """Return the page that stands before the chapters."""
+    rows, extensions = [], []
+    for chapter, exercises in chapters.items():
+        time = minutes[chapter.id]
         lab = [one for one in exercises if is_answered_by_library(one)]
-        rows.append(
-            f"| [Step {step}](step{step}.md) | {time.reading} | {time.doing} "
+        (extensions if chapter.is_extension else rows).append(
+            f"| [{chapter.name}]({chapter.id}.md) | {time.reading} | {time.doing} "
             f"| {len(lab)} | {sum(one.points for one in lab)} | {len(exercises) - len(lab)} |"
         )
-    total = sum(minutes.values(), Minutes())
-    mistakes = sum(len(one.misconceptions) for many in steps.values() for one in many)
-    pairs = sum(len(one.get_combinations()) for many in steps.values() for one in many) - mistakes
-    every = [one for many in steps.values() for one in many]
+    required = {one: many for one, many in chapters.items() if not one.is_extension}
+    total = sum((minutes[one.id] for one in required), Minutes())
+    cards = [one for many in chapters.values() for one in many]
+    mistakes = sum(len(one.misconceptions) for one in cards)
+    pairs = sum(len(one.get_combinations()) for one in cards) - mistakes
+    every = [one for many in required.values() for one in many]
     lab = [one for one in every if is_answered_by_library(one)]
     return f"""(page-instructor)=
 # For instructors: what is behind the checks?
@@ -125,7 +128,7 @@ to show, the solutions, the mistakes that the checks recognize, and the points.
 |---|---:|---:|---:|---:|---:|
 {chr(10).join(rows)}
 | Sum | {total.reading} | {total.doing} | {len(lab)} | {sum(one.points for one in lab)} \
-| {len(every) - len(lab)} |
+| {len(every) - len(lab)} |{"".join(f"{chr(10)}{row}" for row in extensions)}
 
 {QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are those of
 the pages' cards, a plan rather than a measurement; *doing* counts the exercises and challenges of
@@ -158,13 +161,16 @@ each hidden case of an exercise the same.
 """
 
 
-def make_step(step: int, exercises: list[Exercise], minutes: Minutes, notes: str) -> str:
-    """Return the page of one step."""
+def make_chapter(chapter: Chapter, exercises: list[Exercise], minutes: Minutes, notes: str) -> str:
+    """Return the page of one chapter."""
     lab = [one for one in exercises if is_answered_by_library(one)]
     names = ", ".join(f"`{one.name}`" for one in exercises) or "none"
     body = "\n\n".join(make_exercise(one) for one in exercises)
-    return f"""(page-instructor-step{step})=
-# Step {step} for instructors
+    points = f"{sum(one.points for one in lab)} in the lab's rubric"
+    if chapter.is_extension:
+        points = "none: an extension of the lab"
+    return f"""(page-instructor-{chapter.id})=
+# {chapter.name} for instructors
 
 {MADE_BY}
 
@@ -172,7 +178,7 @@ def make_step(step: int, exercises: list[Exercise], minutes: Minutes, notes: str
 |---|---|
 | Reading | about {minutes.reading} minutes |
 | Doing | about {minutes.doing} minutes |
-| Points | {sum(one.points for one in lab)} in the lab's rubric |
+| Points | {points} |
 | Exercises | {names} |
 
 ## Teaching notes
@@ -186,6 +192,8 @@ def make_step(step: int, exercises: list[Exercise], minutes: Minutes, notes: str
 def make_exercise(exercise: Exercise) -> str:
     """Return the section of one exercise."""
     kind = f"A lab exercise of {exercise.points} points"
+    if exercise.home.is_extension:
+        kind = "An exercise of an extension, without points"
     if not is_answered_by_library(exercise):
         kind = "A challenge: the library does not answer it"
     measured = measure(exercise)

@@ -16,12 +16,12 @@ import hashlib
 import re
 import sys
 from pathlib import Path, PurePosixPath
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import jupytext
 import nbformat
-import yaml
 
+from content.toc import Entry, list_entries, read_toc
 from tools import ROOT
 from tools.editions.plain_markdown import Flattener, find_labels
 from tools.stable_zip import make_zip
@@ -66,15 +66,15 @@ def make_files(root: Path = ROOT) -> dict[str, bytes]:
         files |= {
             path.relative_to(root).as_posix(): path.read_bytes() for path in walk(root / tree)
         }
-    toc = yaml.safe_load((root / "_toc.yml").read_text(encoding="utf-8"))
-    pages = {name: read_page(root, name) for _, name in list_pages(toc)}
+    entries = list_entries(read_toc(root))
+    pages = {name: read_page(root, name) for name in (f"{one.page}.md" for one in entries)}
     shipped = {
         name: str(PurePosixPath(name).with_suffix(".ipynb" if is_notebook(text) else ".md"))
         for name, text in pages.items()
     }
     files |= make_pages(root, pages, shipped)
     files["pyproject.toml"] = make_project((root / "pyproject.toml").read_text("utf-8")).encode()
-    files["README.md"] = make_readme(root, toc, pages, shipped).encode()
+    files["README.md"] = make_readme(root, entries, pages, shipped).encode()
     return files
 
 
@@ -84,20 +84,6 @@ def walk(folder: Path) -> Iterator[Path]:
         parts = path.relative_to(folder).parts
         if path.is_file() and not any(part.startswith((".", "__pycache__")) for part in parts):
             yield path
-
-
-def list_pages(toc: dict[str, Any]) -> list[tuple[str, str]]:
-    """List (caption, page) of the table of contents in order; the first has no caption."""
-    found = [("", f"{toc['root']}.md")]
-
-    def visit(caption: str, nodes: list[dict[str, Any]]) -> None:
-        for node in nodes:
-            found.append((caption, f"{node['file']}.md"))
-            visit(caption, node.get("sections", []))
-
-    for part in toc["parts"]:
-        visit(part.get("caption", ""), part["chapters"])
-    return found
 
 
 def read_page(root: Path, name: str) -> str:
@@ -178,12 +164,12 @@ def make_project(text: str) -> str:
 
 
 def make_readme(
-    root: Path, toc: dict[str, Any], pages: dict[str, str], shipped: dict[str, str]
+    root: Path, entries: list[Entry], pages: dict[str, str], shipped: dict[str, str]
 ) -> str:
     """Return the README with the list of pages, by the parts of the book."""
     lines: list[str] = []
     last = None
-    for caption, name in list_pages(toc):
+    for caption, name in ((one.caption, f"{one.page}.md") for one in entries):
         if caption != last:
             lines += ["", f"**{caption}**", ""] if caption else [""]
             last = caption

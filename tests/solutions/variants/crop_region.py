@@ -1,0 +1,24 @@
+"""Right answers to crop_region, written in ways that the card does not contain."""
+
+import numpy as np
+
+
+def region_by_homogeneous(points_world, T_world_robot, low, high):
+    moved = np.linalg.solve(T_world_robot, np.c_[points_world, np.ones(len(points_world))].T)[:3].T
+    return moved[(moved == np.clip(moved, low, high)).all(axis=1)]
+
+
+def region_backwards(points_world, T_world_robot, low, high):
+    return region_by_homogeneous(points_world[::-1], T_world_robot, low, high).astype(np.float32)
+
+
+def region_by_loop(points_world, T_world_robot, low, high):
+    kept = []
+    for point in points_world:
+        moved = T_world_robot[:3, :3].T @ (point - T_world_robot[:3, 3])
+        if all(a <= b <= c for a, b, c in zip(low, moved, high, strict=True)):
+            kept.append(tuple(moved))
+    return kept
+
+
+VARIANTS = [region_by_homogeneous, region_backwards, region_by_loop]

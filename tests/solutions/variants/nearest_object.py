@@ -1,0 +1,32 @@
+"""Right answers to nearest_object, written in ways that the card does not contain."""
+
+import numpy as np
+
+
+def nearest_by_sorting(labels, depth_metric, K, T_world_cam, max_width):
+    z = np.where((depth_metric > 0.01) & (depth_metric < 10), depth_metric, np.nan)
+    v, u = np.indices(z.shape)
+    cloud = np.stack([(u - K[0, 2]) * z / K[0, 0], (v - K[1, 2]) * z / K[1, 1], z], axis=2)
+    choices = []
+    for label in set(labels.ravel().tolist()) - {0}:
+        points = cloud[labels == label]
+        if np.nanmax(points[:, 0]) - np.nanmin(points[:, 0]) <= max_width:
+            place = np.nanmedian(points, axis=0)
+            choices.append((np.linalg.norm(place), label, T_world_cam @ [*place, 1]))
+    if not choices:
+        return None, None
+    _, label, place = min(choices, key=lambda choice: choice[0])
+    return label, place[:3]
+
+
+def nearest_as_lists(labels, depth_metric, K, T_world_cam, max_width):
+    label, place = nearest_by_sorting(labels, depth_metric, K, T_world_cam, max_width)
+    return [label, place if place is None else place.tolist()]
+
+
+def nearest_in_single_precision(labels, depth_metric, K, T_world_cam, max_width):
+    label, place = nearest_by_sorting(labels, depth_metric, np.float32(K), T_world_cam, max_width)
+    return (None, None) if label is None else (np.int32(label), np.float32(place))
+
+
+VARIANTS = [nearest_by_sorting, nearest_as_lists, nearest_in_single_precision]

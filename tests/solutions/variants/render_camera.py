@@ -1,0 +1,35 @@
+"""Right answers to render_camera, written in ways that the card does not contain."""
+
+import mujoco
+import numpy as np
+
+
+def render_with_kinematics(model, data, renderer, camera_name):
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_camlight(model, data)
+    renderer.update_scene(data, camera=camera_name)
+    renderer.enable_depth_rendering()
+    depth = renderer.render()
+    renderer.disable_depth_rendering()
+    return renderer.render(), depth
+
+
+def render_by_id_in_double(model, data, renderer, camera_name):
+    camera = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, camera_name)
+    if camera == -1:
+        raise ValueError(camera_name)
+    mujoco.mj_forward(model, data)
+    renderer.update_scene(data, camera)
+    rgb = renderer.render().copy()
+    renderer.enable_depth_rendering()
+    depth = renderer.render().astype(np.float64)
+    renderer.disable_depth_rendering()
+    return [rgb, depth]
+
+
+def render_as_lists(model, data, renderer, camera_name):
+    rgb, depth = render_with_kinematics(model, data, renderer, camera_name)
+    return rgb, depth.tolist()
+
+
+VARIANTS = [render_with_kinematics, render_by_id_in_double, render_as_lists]
