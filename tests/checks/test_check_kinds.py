@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from measure_mistakes import describe_residual
 
 from labutils.checks import judge_answers
 from labutils.checks.compare import to_canonical
@@ -12,6 +11,7 @@ from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
 from labutils.checks.kinds.panels import draw_pictures
 from labutils.checks.table import Case, Part, load_table, part_to_words
+from tools.editions.mistakes import describe_residual
 
 
 def make_table(part, *expected, wrong=None):
