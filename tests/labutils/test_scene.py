@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import mujoco
 import numpy as np
 import pytest
@@ -77,6 +78,66 @@ def test_the_two_reds_lie_on_both_sides_of_the_hue_seam(view):
     assert high[ball].mean() < 0.1
     assert high[box].mean() > 0.8
     assert low[box].mean() < 0.1
+
+
+@pytest.fixture(scope="module")
+def shadow(view):
+    """What the head camera sees in shadow on the table: there the light dims the picture."""
+    model, rgb, labels = view
+    _, data = make_scene()
+    with mujoco.Renderer(model, 480, 640) as renderer:
+        renderer.update_scene(data, camera="head_camera")
+        renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
+        lit = renderer.render()
+    gray_lit, gray = (cv2.cvtColor(p, cv2.COLOR_RGB2GRAY).astype(int) for p in (lit, rgb))
+    return (gray_lit - gray > 50) & (labels == model.body("table").id)
+
+
+def get_rim(labels, body):
+    """Return the pixels of a body and those up to three pixels beside it."""
+    return cv2.dilate((labels == body.id).astype(np.uint8), np.ones((7, 7))) > 0
+
+
+# The shadow of the bottle falls behind the block.
+@pytest.mark.parametrize("name", sorted(OBJECTS.keys() - {"blue_bottle"}))
+def test_every_object_darkens_the_table_right_beside_it(view, shadow, name):
+    model, _, labels = view
+    # An object without this dark seam seems to float.
+    assert (get_rim(labels, model.body(name)) & shadow).sum() > 50
+
+
+def test_the_edge_of_a_shadow_is_as_sharp_as_the_picture(view, shadow):
+    model, _, labels = view
+    _, parts = cv2.connectedComponents(shadow.astype(np.uint8))
+    touching = np.bincount(parts[get_rim(labels, model.body("red_box")) & shadow])
+    of_box = parts == touching.argmax()
+    rows = np.flatnonzero(of_box.any(axis=1))
+    right = np.array([np.flatnonzero(of_box[row]).max() for row in rows])
+    # The right edge, from below its upper end to above the corner: straight, as the box's is.
+    edge = slice(4, right.argmax() - 4)
+    assert right[edge].size > 20
+    line = np.polyval(np.polyfit(rows[edge], right[edge], 1), rows[edge])
+    # A map half as fine gives steps of 1.4 pixels.
+    assert np.abs(right[edge] - line).max() < 1
+
+
+def test_the_shadow_map_is_small_and_spans_all_that_casts_a_shadow(scene):
+    model, data = scene
+    # Without a graphics card, filling a map of 4096 took longer than drawing the picture.
+    assert model.vis.quality.shadowsize <= 2048
+    key = model.light("key")
+    casting = np.flatnonzero(model.geom_castshadow)
+    offsets = data.geom_xpos[casting] - data.light(key.id).xpos
+    axis = data.light(key.id).xdir
+    aside = np.linalg.norm(offsets - np.outer(offsets @ axis, axis), axis=1)
+    # Whatever lies outside the map loses its shadow.
+    assert aside.max() < model.vis.map.shadowclip * model.stat.extent
+
+
+def test_the_robot_casts_a_shadow_from_head_to_sole(scene):
+    model, _ = scene
+    for name in ("head", "chest", "left_sole", "right_sole"):
+        assert model.geom(name).castshadow, name
 
 
 def test_the_bottle_is_partly_hidden(scene):

@@ -29,10 +29,12 @@ CLOUD = {
 RENDER = {
     "bare": "two bare passes of `mujoco.Renderer`",
     "render_camera": "`labutils.render_camera`",
+    "color": "the bare color pass alone",
+    "color_no_shadow": "the bare color pass alone, without shadows",
 }
 
 #: Routes that do less than the others, so their results cannot agree.
-NOT_COMPARABLE = {"opencv", "copy"}
+NOT_COMPARABLE = {"opencv", "copy", "color", "color_no_shadow"}
 
 MIN_DEPTH, MAX_DEPTH = 0.01, 10.0
 
@@ -123,7 +125,7 @@ def make_copy(rgb: np.ndarray, depth: np.ndarray, K: np.ndarray) -> Route:  # no
 
 
 def make_renderers() -> dict[str, Route]:
-    """Both ways to draw a frame, each with a renderer of its own."""
+    """All ways to draw a frame, each with a renderer of its own."""
     import mujoco  # noqa: PLC0415 - labutils chooses the OpenGL backend first
 
     from labutils import make_scene, render_camera  # noqa: PLC0415 - one process, one library
@@ -139,9 +141,16 @@ def make_renderers() -> dict[str, Route]:
         renderer.disable_depth_rendering()
         return rgb, depth
 
+    def color(*, shadow: bool = True) -> tuple[np.ndarray, None]:
+        renderer.update_scene(data, camera="head_camera")
+        renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadow
+        return renderer.render(), None
+
     return {
         "bare": bare,
         "render_camera": lambda: render_camera(model, data, renderer, "head_camera"),
+        "color": color,
+        "color_no_shadow": lambda: color(shadow=False),
     }
 
 
