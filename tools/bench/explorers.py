@@ -41,7 +41,7 @@ def main() -> int:
     if not (pages / "index.html").is_file():
         print("explorers: not measured; the book is not built, run `make book` first")
         return 0
-    browser.frontend.vendor_tests()
+    browser.npm.install()
     print(
         f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  of a 16 ms frame"
     )

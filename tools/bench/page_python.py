@@ -18,7 +18,7 @@ from pathlib import Path
 from labutils.checks import judge
 from labutils.checks.table import load_table
 from tools import ROOT
-from tools.vendor import frontend, page_python
+from tools.vendor import npm
 
 HTML = ROOT / "_build" / "html"
 SCRIPT = Path(__file__).with_suffix(".mjs")
@@ -47,7 +47,7 @@ def main() -> int:
     if not (HTML / "_static" / "python" / "vendor" / "numpy.zip.0.js").is_file():
         print("python in the page: not measured; no built book that holds the wheels")
         return 0
-    frontend.vendor_tests()
+    npm.install()
     first, later, cold, warm = [], [], [], []
     for _ in range(ROUNDS):  # in turns: what else the machine does falls on both
         page = measure_page()
@@ -69,7 +69,7 @@ def print_line(what: str, ours: list[float], peer: str, theirs: list[float], lim
 def measure_page() -> dict[str, list[float]]:
     """Open the page in a new browser and check there."""
     arguments = [str(SCRIPT), str(HTML), PAGE, EXERCISE, CODE, str(TURNS)]
-    command = [*page_python._node(), *arguments]  # noqa: SLF001 - another half of the tools
+    command = [*npm.find_node(), *arguments]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     if done.returncode:
         raise SystemExit(f"python in the page: {done.stderr.strip()[-500:]}")
