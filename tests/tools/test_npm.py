@@ -155,7 +155,7 @@ def test_a_lock_file_without_addresses_installs_from_the_registry_of_the_machine
 def test_a_package_with_another_checksum_is_refused(repository, monkeypatch):
     with registry(repository / "registry", monkeypatch) as checksum:
         write_lock(repository, "tiny", checksum[:20] + checksum[20:].swapcase())
-        with pytest.raises(npm.VendorError, match="npm got another file than package-lock.json"):
+        with pytest.raises(npm.VendorError, match=r"npm got another file than package-lock\.json"):
             npm.install()
     assert not npm.FOLDER.exists()
 
