@@ -63,7 +63,7 @@ def install_system_packages() -> None:
     if shutil.which("dpkg-query") is None:
         return  # not Debian or Ubuntu: macOS and Windows draw without extra packages
     wanted = (ROOT / "apt.txt").read_text(encoding="ascii").split()
-    missing = [name for name in wanted if not is_installed(name)]
+    missing = find_missing(wanted)
     if not missing:
         return
     command = ["apt-get", "install", "-y", "--no-install-recommends", *missing]
@@ -82,15 +82,16 @@ def install_system_packages() -> None:
             return
 
 
-def is_installed(package: str) -> bool:
-    """Ask dpkg whether a package is installed."""
+def find_missing(packages: list[str]) -> list[str]:
+    """Ask dpkg, once, which of the packages are not installed."""
     done = subprocess.run(
-        ["dpkg-query", "--show", "--showformat=${db:Status-Status}", package],
+        ["dpkg-query", "--show", "--showformat=${Package} ${db:Status-Status}\n", *packages],
         capture_output=True,
         text=True,
-        check=False,
+        check=False,  # it fails where it does not know one, and tells of the others
     )
-    return done.stdout.strip() == "installed"
+    lines = set(done.stdout.splitlines())
+    return [name for name in packages if f"{name} installed" not in lines]
 
 
 def install_python_packages() -> None:
