@@ -66,7 +66,7 @@ class Page:
             )
 
 
-def run_pages(app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
+def run_pages(_app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
     """Run those of the pages that Sphinx is about to read which are not in the cache."""
     config = env.mystnb_config
     if config.execution_mode != "cache" or not config.execution_in_temp:

@@ -202,26 +202,3 @@ def test_a_failed_build_shows_its_reason(log, expected, unwanted):
     said = book._what_went_wrong(log)
     assert expected in said
     assert unwanted not in said
-
-
-def test_a_change_of_the_library_empties_the_execution_cache(tmp_path, monkeypatch):
-    build = book
-    monkeypatch.setattr(build, "ROOT", tmp_path)
-    edition = build.EDITIONS["student"]
-    for name in (*build.CELL_SOURCES, *build.PAGE_SOURCES):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text("before")
-    cache = tmp_path / "_build" / ".jupyter_cache"
-    cache.mkdir(parents=True)
-    build._forget_what_changed(edition)
-    assert not cache.exists()  # outputs of unknown age are not trusted
-
-    cache.mkdir()
-    build._forget_what_changed(edition)
-    assert cache.exists()
-    (tmp_path / "_config.yml").write_text("after")
-    build._forget_what_changed(edition)
-    assert cache.exists()
-    (tmp_path / "labutils").write_text("after")
-    build._forget_what_changed(edition)
-    assert not cache.exists()

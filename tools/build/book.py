@@ -124,7 +124,7 @@ def _run_jupyter_book(edition: Edition) -> tuple[int, str]:
             errors="replace",
         ) as process,
     ):
-        for raw in process.stdout:
+        for raw in process.stdout or ():
             line = COLOR_CODES.sub("", raw)
             file.write(line)
             lines.append(line)

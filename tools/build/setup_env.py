@@ -108,19 +108,19 @@ def install_python_packages() -> None:
     with tempfile.TemporaryDirectory() as folder:
         only_uv = Path(folder) / "uv.txt"
         only_uv.write_text(uv_lines.group(), encoding="utf-8")
-        pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        pip = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         subprocess.run(
-            [*pip, "--require-hashes", "-r", only_uv], check=True, stdout=subprocess.DEVNULL
+            [*pip, "--require-hashes", "-r", str(only_uv)], check=True, stdout=subprocess.DEVNULL
         )
     print("setup: installing the locked packages (about 1.3 GB on disk)")
-    uv = [python, "-m", "uv", "pip", "install", "--quiet", "--python", python]
+    uv = [str(python), "-m", "uv", "pip", "install", "--quiet", "--python", str(python)]
     subprocess.run(
-        [*uv, "--require-hashes", "-r", ROOT / "requirements.txt"],
+        [*uv, "--require-hashes", "-r", str(ROOT / "requirements.txt")],
         check=True,
         stdout=subprocess.DEVNULL,
     )
     subprocess.run(
-        [*uv, "--no-deps", "--no-build-isolation", "--editable", ROOT],
+        [*uv, "--no-deps", "--no-build-isolation", "--editable", str(ROOT)],
         check=True,
         stdout=subprocess.DEVNULL,
     )
