@@ -5,8 +5,8 @@ large. Pictures below the first one load when the reader comes near them. Each h
 size in its tag, so that the text does not jump when it comes.
 
 To convert them takes as long as everything else Sphinx does. So it begins as soon as a page is
-read, on the cores that Sphinx leaves idle, and the results outlive a page that is drawn again:
-they are named after what is in them.
+read, on the cores that Sphinx leaves idle. The results stay beside the pictures, whose names are
+their checksums: to draw a page again converts nothing.
 """
 
 import os
@@ -22,7 +22,6 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms.images import ImageConverter
 
 EXECUTED = "jupyter_execute"  # where the pictures that cells draw lie
-CONVERTED = "webp"  # beside the pages: what they have become
 TAG = re.compile(r'<img (?![^>]*\bloading=)([^>]*?src="[^"]*_images/([^"/]+)"[^>]*?)\s*/?>')
 
 
@@ -46,7 +45,7 @@ class WebpConverter(ImageConverter):
     def convert(self, source: str, target: str) -> bool:
         """Put the converted picture in its place; wait for it where that is needed."""
         if not Path(target).exists():
-            shutil.copyfile(ahead.get(Path(source), get_store(self.app)), target)
+            shutil.copyfile(ahead.begin(Path(source)).result(), target)
         return True
 
 
@@ -57,31 +56,21 @@ class Ahead:
         self.pool = ThreadPoolExecutor(os.cpu_count())  # the encoder lets other threads work
         self.begun: dict[Path, Future[Path]] = {}
 
-    def begin(self, source: Path, store: Path) -> Future[Path]:
-        """See to it that a picture gets converted."""
-        target = store / f"{source.stem}.webp"
-        if target not in self.begun:
-            self.begun[target] = self.pool.submit(make_webp, source, target)
-        return self.begun[target]
-
-    def get(self, source: Path, store: Path) -> Path:
-        """Return the converted picture."""
-        return self.begin(source, store).result()
+    def begin(self, source: Path) -> Future[Path]:
+        """See to it that a picture gets converted, once."""
+        if source not in self.begun:
+            self.begun[source] = self.pool.submit(make_webp, source)
+        return self.begun[source]
 
 
 ahead = Ahead()
 
 
-def get_store(app: Sphinx) -> Path:
-    """Return the folder of the converted pictures."""
-    return Path(app.outdir).parent / CONVERTED
-
-
-def make_webp(source: Path, target: Path) -> Path:
-    """Convert a picture without loss, unless an earlier build has."""
+def make_webp(source: Path) -> Path:
+    """Convert a picture without loss, unless an earlier build has; return where it is."""
+    target = source.with_suffix(".webp")
     if not target.exists():
-        target.parent.mkdir(parents=True, exist_ok=True)
-        unfinished = target.with_suffix(".part")
+        unfinished = source.with_suffix(".part")
         with Image.open(source) as picture:
             picture.save(unfinished, "WEBP", lossless=True, quality=80, method=4)
         unfinished.replace(target)
@@ -93,7 +82,7 @@ def convert_ahead(app: Sphinx, tree: nodes.document) -> None:
     if app.builder.format == "html":
         for node in tree.findall(nodes.image):
             if EXECUTED in node["uri"] and node["uri"].endswith(".png"):
-                ahead.begin(Path(app.srcdir, node["uri"]), get_store(app))
+                ahead.begin(Path(app.srcdir, node["uri"]))
 
 
 def size_and_delay(

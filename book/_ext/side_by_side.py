@@ -12,7 +12,7 @@ variable ``PAGES_AT_ONCE`` says how many; with 1, they run one after the other.
 
 import os
 from collections.abc import Iterable, Iterator
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +22,7 @@ from typing import Any
 from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn, JupyterCacheAbstract
 from jupyter_cache.executors.utils import ExecutionResult, single_nb_execution
+from jupyter_core.utils import ensure_event_loop
 from myst_nb.core.config import NbParserConfig
 from myst_nb.core.execute import ExecutionError
 from myst_nb.core.read import create_nb_reader
@@ -55,15 +56,18 @@ class Page:
     def run(self, config: NbParserConfig) -> ExecutionResult:
         """Run all cells in a folder of their own; write their outputs into the notebook."""
         logger.info("%s: Executing notebook using temporary CWD [mystnb]", self.path)
-        with TemporaryDirectory() as folder:
-            return single_nb_execution(
-                self.notebook,
-                cwd=folder,
-                allow_errors=config.execution_allow_errors,
-                timeout=config.execution_timeout,
-                meta_override=True,
-                coalesce_streams=True,
-            )
+        try:
+            with TemporaryDirectory() as folder:
+                return single_nb_execution(
+                    self.notebook,
+                    cwd=folder,
+                    allow_errors=config.execution_allow_errors,
+                    timeout=config.execution_timeout,
+                    meta_override=True,
+                    coalesce_streams=True,
+                )
+        finally:
+            ensure_event_loop().close()  # the one that nbclient has made for this thread
 
 
 def run_pages(_app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
@@ -74,14 +78,14 @@ def run_pages(_app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
     cache = get_cache(config.execution_cache_path)
     pages = sorted(find_pages(env, names, cache), key=lambda page: -page.weight)
     at_once = min(count_at_once(), len(pages)) or 1
+    running: dict[Future[ExecutionResult], Page] = {}
     with share_cores(at_once), ThreadPoolExecutor(at_once) as pool:
-        running = {pool.submit(page.run, config): page for page in pages}
-        try:
-            for done in as_completed(running):
-                keep(running[done], done.result(), cache)
-        finally:
-            for waiting in running:
-                waiting.cancel()  # after an error, those that have not begun
+        while pages or running:
+            while pages and len(running) < at_once:  # after an error, no other page begins
+                page = pages.pop(0)
+                running[pool.submit(page.run, config)] = page
+            for done in wait(running, return_when=FIRST_COMPLETED).done:
+                keep(running.pop(done), done.result(), cache)
 
 
 def find_pages(

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,12 @@ from tools.build.memory import Memory
 ROOT = Path(__file__).resolve().parents[2]
 
 PAGE = "book/step3_depth.md"
+TOP = """---
+jupytext:
+  text_representation: {extension: .md, format_name: myst}
+kernelspec: {display_name: Python 3, language: python, name: python3}
+---
+"""
 # what a build reads, one of each kind
 SOURCES = (
     PAGE,
@@ -82,7 +89,7 @@ def repository(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def built(repository):
+def built(repository):  # noqa: ARG001 - what it is built from
     """An edition that has just been built, from the repository as it is."""
     student = EDITIONS["student"]
     student.build.mkdir()
@@ -155,7 +162,7 @@ def test_a_lost_or_changed_page_is_drawn_again(built):
     assert not now.is_up_to_date()
     fill(built)
     assert "not as they were left" in now.forget_what_changed()
-    assert find_left(built) == {".jupyter_cache", "jupyter_execute", "webp"}
+    assert find_left(built) == {".jupyter_cache", "jupyter_execute"}
 
 
 def test_what_changes_during_a_build_is_seen_by_the_next(built, repository):
@@ -201,7 +208,7 @@ def test_a_change_empties_the_memories_that_depend_on_it(name, built, repository
         assert find_left(built) == {"html"}
     elif name in DRAWN_AGAIN:
         assert said == "all drawn again, because the configuration changed"
-        assert find_left(built) == {".jupyter_cache", "jupyter_execute", "webp"}
+        assert find_left(built) == {".jupyter_cache", "jupyter_execute"}
     else:  # of these Sphinx knows which page they belong to
         assert said == "kept where the page is unchanged"
         assert find_left(built) == everything
@@ -213,7 +220,8 @@ def test_another_opengl_runs_all_cells_again(built, monkeypatch):
     assert not is_left(built, ".jupyter_cache")
 
 
-def test_outputs_of_unknown_age_are_not_trusted(repository):
+@pytest.mark.usefixtures("repository")
+def test_outputs_of_unknown_age_are_not_trusted():
     student = EDITIONS["student"]
     fill(student)
     assert Memory(student).forget_what_changed() == "none yet"
@@ -232,7 +240,7 @@ def test_a_build_without_changes_prepares_nothing_and_says_what_to_open(built, m
     assert f"open {(built.html / 'index.html').as_uri()}" in said
 
 
-def test_the_question_whether_to_build_loads_no_library(built):
+def test_the_question_whether_to_build_loads_no_library():
     code = (
         "import sys; import tools.build.book; print('numpy' in sys.modules, 'yaml' in sys.modules)"
     )
@@ -254,23 +262,26 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
             pytest.skip("the front end is not there; run `make book` first")
         shutil.copytree(ROOT / "_build" / name, tmp_path / "_build" / name)
     write(tmp_path, "_toc.yml", "format: jb-book\nroot: book/one\nchapters:\n- file: book/two\n")
-    top = (ROOT / "book" / "rubric.md").read_text().partition("---\n# ")[0] + "---\n"
-    write(tmp_path, "book/one.md", f"{top}# One\n\n```{{code-cell}}\nprint(6 * 7)\n```\n")
-    write(tmp_path, "book/two.md", "# Two\n\n```{quiz} two\n```\n")
+    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 * 7)\n```\n")
     question = (ROOT / "exercises" / "concepts" / "step3_depth.yml").read_text()
+    labels = sorted(set(re.findall(r"^ *section: (\S+)", question, re.MULTILINE)))
+    places = "".join(f"({label})=\n## {label}\n\n" for label in labels)
+    write(tmp_path, "book/two.md", f"# Two\n\n{places}```{{quiz}} two\n```\n")
     write(tmp_path, "exercises/concepts/two.yml", question)
 
-    def build():
-        environment = {**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"}
-        started = time.monotonic()
-        done = subprocess.run(
+    def run_build():
+        return subprocess.run(
             [sys.executable, "-m", "tools.build.book"],
             cwd=tmp_path,
-            env=environment,
+            env={**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"},
             capture_output=True,
             text=True,
             check=False,
         )
+
+    def build():
+        started = time.monotonic()
+        done = run_build()
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout, time.monotonic() - started
 
@@ -288,6 +299,14 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
     sheet.write_text(sheet.read_text() + "\n.added { color: red }\n")
     assert "2 pages read, 0 executed" in build()[0]
     assert ".added" in (tmp_path / "_build" / "html" / "_static" / "book.css").read_text()
+    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 / 0)\n```\n")
+    done = run_build()
+    assert done.returncode
+    assert "book/one.md: WARNING: Executing notebook failed: CellExecutionError" in done.stderr
+    assert "ZeroDivisionError: division by zero" in done.stderr
+    assert "print(6 / 0)" in done.stderr
+    assert "Traceback of" not in done.stderr
+    assert run_build().returncode  # and it stays one
 
 
 # --- the environment before it ---

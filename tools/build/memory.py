@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 # changes of the pages only, so a change here has to empty their memories.
 CELL_SOURCES = ("labutils", "assets", "requirements.txt")
 CELL_VARIABLES = ("MUJOCO_GL",)
-CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute", "webp")
+CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 # What the look of every page depends on, but not its numbers. Sphinx does not even copy
 # a changed style sheet while no page has changed, and pages name it by its checksum.
 PAGE_SOURCES = (
