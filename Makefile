@@ -56,10 +56,7 @@ format: setup ## rewrite the source in the house style
 check: lint test ## what CI runs
 
 bench: setup ## measure speed as ratios against named peers
-	@$(RUN) -m tools.bench.clouds
-	@$(RUN) -m tools.bench.checks
-	@$(RUN) -m tools.bench.explorers
-	@$(RUN) -m tools.bench.page_python
+	@$(RUN) -m tools.bench
 
 lock: setup ## write requirements.txt anew from requirements.in
 	@$(RUN) -m uv pip compile requirements.in --universal --python-version 3.11 \

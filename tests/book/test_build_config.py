@@ -11,7 +11,6 @@ import yaml
 
 from tests.helpers.scripts import load_script
 from tools.build import book
-from tools.vendor import frontend
 
 ROOT = Path(__file__).resolve().parents[2]
 # Where a package came from; packages also name who to thank, under "funding".
@@ -68,23 +67,35 @@ def test_no_lock_file_says_where_packages_came_from():
         assert not ADDRESS_OF_A_PACKAGE.search((ROOT / name).read_text()), name
 
 
-def test_the_packages_of_the_browser_tests_come_with_all_they_need():
+def find_place(name, parent, packages):
+    """Look where Node looks: inside the package that asks, then outward, folder by folder."""
+    while parent and f"{parent}/node_modules/{name}" not in packages:
+        parent = parent.rpartition("/node_modules/")[0]
+    place = f"{parent}/node_modules/{name}" if parent else f"node_modules/{name}"
+    return place if place in packages else None
+
+
+def test_a_package_inside_another_is_found_before_one_at_the_top():
     packages = {
-        "node_modules/driver": {"dependencies": {"wrap": "1", "width": "2"}},
-        "node_modules/wrap": {"dependencies": {"width": "1", "driver": "1"}},
-        "node_modules/wrap/node_modules/width": {"dependencies": {"ansi": "1"}},
+        "node_modules/wrap": {},
+        "node_modules/wrap/node_modules/width": {},
         "node_modules/width": {},
         "node_modules/ansi": {},
-        "node_modules/unused": {},
     }
-    places = frontend._with_dependencies(["driver"], packages)
-    assert sorted(places) == ["ansi", "driver", "width", "wrap", "wrap/node_modules/width"]
+    inner = "node_modules/wrap/node_modules/width"
+    assert find_place("width", "node_modules/wrap", packages) == inner
+    assert find_place("width", "node_modules/ansi", packages) == "node_modules/width"
+    assert find_place("ansi", inner, packages) == "node_modules/ansi"
+    assert find_place("gone", inner, packages) is None
 
 
-def test_every_package_of_the_browser_tests_is_locked(manifest, lock):
-    places = frontend._with_dependencies(manifest["devDependencies"], lock["packages"])
-    assert set(manifest["devDependencies"]) < set(places)
-    assert all(lock["packages"][f"node_modules/{place}"]["integrity"] for place in places)
+def test_every_package_is_locked_with_all_it_needs(lock):
+    packages = lock["packages"]
+    for place, entry in packages.items():
+        for name in entry.get("dependencies", {}) | entry.get("devDependencies", {}):
+            found = find_place(name, place, packages)
+            assert found, (place, name)
+            assert packages[found]["integrity"]
 
 
 def test_repository_address_is_stated_once(config):
@@ -191,26 +202,3 @@ def test_a_failed_build_shows_its_reason(log, expected, unwanted):
     said = book._what_went_wrong(log)
     assert expected in said
     assert unwanted not in said
-
-
-def test_a_change_of_the_library_empties_the_execution_cache(tmp_path, monkeypatch):
-    build = book
-    monkeypatch.setattr(build, "ROOT", tmp_path)
-    edition = build.EDITIONS["student"]
-    for name in (*build.CELL_SOURCES, *build.PAGE_SOURCES):
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text("before")
-    cache = tmp_path / "_build" / ".jupyter_cache"
-    cache.mkdir(parents=True)
-    build._forget_what_changed(edition)
-    assert not cache.exists()  # outputs of unknown age are not trusted
-
-    cache.mkdir()
-    build._forget_what_changed(edition)
-    assert cache.exists()
-    (tmp_path / "_config.yml").write_text("after")
-    build._forget_what_changed(edition)
-    assert cache.exists()
-    (tmp_path / "labutils").write_text("after")
-    build._forget_what_changed(edition)
-    assert not cache.exists()

@@ -24,6 +24,8 @@ from labutils.checks.table import Part, Raised
 from solutions import load_exercises
 from tests.helpers.chapters import ROOT, get_toc_pages
 from tools.build import book as build_book
+from tools.build import memory
+from tools.build.edition import EDITIONS, get_edition
 from tools.editions import instructor_pages as make_instructor_pages
 from tools.editions import student as make_student
 from tools.editions.mistakes import describe_residual, measure
@@ -44,28 +46,28 @@ def pages():
 
 
 def test_the_student_edition_is_the_default():
-    assert build_book.get_edition("").name == build_book.get_edition("student").name == "student"
-    assert build_book.get_edition("").html == ROOT / "_build" / "html"
-    assert build_book.get_edition("instructor").html == ROOT / "_build" / "instructor" / "html"
+    assert get_edition("").name == get_edition("student").name == "student"
+    assert get_edition("").html == ROOT / "_build" / "html"
+    assert get_edition("instructor").html == ROOT / "_build" / "instructor" / "html"
 
 
 def test_an_unknown_edition_is_refused_before_anything_is_built(monkeypatch, capsys):
     monkeypatch.setenv("EDITION", "teacher")
-    monkeypatch.setattr(build_book.frontend, "main", lambda _: pytest.fail("went on"))
+    monkeypatch.setattr(build_book, "gather", lambda _: pytest.fail("went on"))
     assert build_book.main() == 2
     error = capsys.readouterr().err
     assert "EDITION: expected one of student, instructor, got 'teacher'" in error
 
 
 def test_the_editions_share_no_memory():
-    student, instructor = build_book.EDITIONS.values()
-    for name in (*build_book.CELL_MEMORY, *build_book.PAGE_MEMORY):
+    student, instructor = EDITIONS.values()
+    for name in (*memory.CELL_MEMORY, *memory.PAGE_MEMORY):
         assert student.build / name != instructor.build / name
         assert not (instructor.build / name).is_relative_to(student.build / name)
 
 
 def test_only_the_instructor_edition_depends_on_the_solutions():
-    student, instructor = build_book.EDITIONS.values()
+    student, instructor = EDITIONS.values()
     assert student.sources == ()
     assert "solutions" in instructor.sources
     toc = (ROOT / student.toc).read_text(encoding="utf-8")

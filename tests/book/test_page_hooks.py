@@ -5,6 +5,7 @@ import io
 from types import SimpleNamespace
 
 import pytest
+from docutils import nodes
 from fontTools.ttLib import TTFont
 from PIL import Image
 
@@ -136,9 +137,45 @@ def test_pictures_of_cells_keep_every_pixel(tmp_path):
     picture.putalpha(Image.linear_gradient("L").resize((32, 16)))
     picture.save(tmp_path / "a.png")
     converter = hook.WebpConverter.__new__(hook.WebpConverter)
-    assert converter.convert(tmp_path / "a.png", tmp_path / "a.webp")
-    with Image.open(tmp_path / "a.webp") as kept:
+    assert converter.convert(tmp_path / "a.png", tmp_path / "page.webp")
+    with Image.open(tmp_path / "page.webp") as kept:
         assert kept.tobytes() == picture.tobytes()
+
+
+def test_pictures_are_converted_once_and_never_half(tmp_path, monkeypatch):
+    hook = load("pictures")
+    source = tmp_path / "a.png"
+    Image.effect_noise((32, 16), 80).save(source)
+    kept = hook.make_webp(source).read_bytes()
+    assert [path.name for path in sorted(tmp_path.iterdir())] == ["a.png", "a.webp"]
+    with monkeypatch.context() as patch:
+        patch.setattr(hook.Image, "open", lambda _: pytest.fail("converted again"))
+        assert hook.make_webp(source).read_bytes() == kept
+        assert hook.ahead.begin(source) is hook.ahead.begin(source)
+    (tmp_path / "a.webp").unlink()
+
+    def stop(_picture, path, *_args, **_options):
+        path.write_bytes(b"half")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(hook.Image.Image, "save", stop)
+    with pytest.raises(KeyboardInterrupt):
+        hook.make_webp(source)
+    assert not (tmp_path / "a.webp").exists()
+
+
+def test_pictures_of_a_page_that_was_read_are_converted_before_they_are_asked_for(tmp_path):
+    hook = load("pictures")
+    folder = tmp_path / "_build" / "jupyter_execute"
+    folder.mkdir(parents=True)
+    Image.effect_noise((32, 16), 80).save(folder / "a.png")
+    tree = nodes.section()
+    for uri in ("_build/jupyter_execute/a.png", "book/_static/cover.png"):
+        tree += nodes.image(uri=uri)
+    app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(format="html"))
+    hook.convert_ahead(app, tree)
+    assert [path.name for path in hook.ahead.begun] == ["a.png"]
+    assert hook.ahead.begin(folder / "a.png").result() == folder / "a.webp"
 
 
 @pytest.mark.parametrize(

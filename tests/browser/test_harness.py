@@ -45,10 +45,10 @@ def test_without_pages_the_command_that_builds_them_is_named(monkeypatch, tmp_pa
 
 def test_without_a_network_the_missing_drivers_are_named(monkeypatch):
     def refuse():
-        raise browser.frontend.VendorError("npm could not fetch")
+        raise browser.npm.VendorError("npm could not fetch")
 
     monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
-    monkeypatch.setattr(browser.frontend, "vendor_tests", refuse)
+    monkeypatch.setattr(browser.npm, "install", refuse)
     with pytest.raises(Skipped, match="npm could not fetch"):
         browser.require_packages()
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -23,8 +22,9 @@ import pytest
 
 from tests.helpers.chapters import get_toc_pages
 from tools import headless
+from tools.file_lock import locked
 from tools.headless import CHROMIUM_NAMES, FIREFOX_NAMES, STUDENT_PAGES, find_browser
-from tools.vendor import frontend
+from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "tests" / "browser"
@@ -61,9 +61,8 @@ def require_pages() -> Path:
 def require_packages() -> None:
     """Fetch the browser drivers, once, however many processes run tests."""
     try:
-        with locked(ROOT / "_build" / "npm.lock"):
-            frontend.vendor_tests()
-    except frontend.VendorError as error:
+        npm.install()
+    except npm.VendorError as error:
         give_up(f"the browser drivers are missing: {error}")
 
 
@@ -89,23 +88,6 @@ def serve(folder: Path) -> Iterator[str]:
         finally:
             server.shutdown()
             thread.join()
-
-
-@contextmanager
-def locked(path: Path) -> Iterator[None]:
-    """Let one process at a time into the block; the lock falls when its process ends."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a+b") as file:
-        if sys.platform == "win32":
-            import msvcrt  # noqa: PLC0415 - exists on Windows only
-
-            file.seek(0)
-            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
-        else:
-            import fcntl  # noqa: PLC0415 - does not exist on Windows
-
-            fcntl.flock(file, fcntl.LOCK_EX)
-        yield
 
 
 def once(path: Path, make: Callable[[], Any]) -> Any:

@@ -15,7 +15,7 @@ import pytest
 from labutils.checks.table import TABLES, load_table, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
-from tools.vendor import frontend, pack_python, page_python, page_wheels
+from tools.vendor import npm, pack_python, page_python, page_wheels
 
 ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
@@ -190,10 +190,10 @@ def test_a_first_click_loads_less_than_its_budget():
 
 
 def test_the_editor_is_made_of_locked_packages():
-    closure = page_python.list_closure(page_python.EDITOR_PACKAGES)
+    closure = npm.list_closure(page_python.EDITOR_PACKAGES)
     assert {"@codemirror/view", "@lezer/python", "style-mod"} <= set(closure)
     for name in closure:
-        assert frontend._locked(name)["integrity"].startswith("sha512-")
+        assert npm.get_checksum(name).startswith("sha512-")
 
 
 def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
@@ -202,20 +202,19 @@ def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
     monkeypatch.setattr(page_python, "ENTRY", entry)
     if not (page_python.ROOT / "_build" / "page_python").is_dir():
         pytest.skip("the packages are not there; run `make book` first")
-    names = [page_python.BUNDLER]
     try:
-        tarballs = frontend._fetch(names)
-    except frontend.VendorError as error:
+        npm.install()
+    except npm.VendorError as error:
         pytest.skip(f"no network: {error}")
-    with pytest.raises(frontend.VendorError, match=r"could not be bundled.*nowhere"):
-        page_python._bundle_editor(tarballs, place)
+    with pytest.raises(npm.VendorError, match=r"could not be bundled.*nowhere"):
+        page_python.bundle_editor(place)
 
 
 def test_without_npm_and_without_older_files_the_build_stops(monkeypatch, capsys):
-    def fail(_names):
-        raise frontend.VendorError("npm could not fetch pyodide")
+    def fail():
+        raise npm.VendorError("npm could not fetch pyodide")
 
-    monkeypatch.setattr(frontend, "_fetch", fail)
+    monkeypatch.setattr(npm, "install", fail)
     assert "going on with the older files" in page_python.vendor()
     (page_python.VENDOR / page_python.STAMP).unlink()
     assert pack_python.main() == 1

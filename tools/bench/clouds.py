@@ -21,6 +21,7 @@ import tempfile
 import time
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import IO, cast
 
 import numpy as np
 
@@ -73,19 +74,21 @@ class Worker:
             stdout=subprocess.PIPE,
             text=True,
         )
+        self.asked = cast("IO[str]", self.process.stdin)
+        self.answers = cast("IO[str]", self.process.stdout)
 
     def ask(self, command: str) -> str:
         """Send one line, return the answer."""
-        self.process.stdin.write(command + "\n")
-        self.process.stdin.flush()
-        answer = self.process.stdout.readline().strip()
+        self.asked.write(command + "\n")
+        self.asked.flush()
+        answer = self.answers.readline().strip()
         if not answer:
             raise SystemExit(f"bench: the route {self.route!r} stopped; its error is above")
         return answer
 
     def stop(self) -> None:
         """End the process and wait for it."""
-        self.process.stdin.close()
+        self.asked.close()
         self.process.wait()
 
 
@@ -134,7 +137,7 @@ def measure_group(
         verify(workers, frame.parent)
         for worker in workers:  # lazy imports, the heap's own habits
             worker.ask("run 5")
-        seconds = {worker.route: [] for worker in workers}
+        seconds: dict[str, list[float]] = {worker.route: [] for worker in workers}
         for turn in range(rounds):
             # Another one starts every time, so none always follows the same neighbor.
             start = turn % len(workers)

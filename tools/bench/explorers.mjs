@@ -1,12 +1,11 @@
-// node bench_explorers.mjs SITE PAGE: drags every slider of every explorer of a page through its
+// node explorers.mjs SITE PAGE FRAMES: drags every slider of every explorer of a page through its
 // range and prints how long each frame took to compute and draw, in milliseconds.
 
 import { close, main, openPage } from "../../tests/browser/_browser.mjs";
 
-const FRAMES = 60; // per slider
 const HARDEST = /radius|open|close/i; // sliders that stay at their end while the others move
 
-await main(async (browser, site, name) => {
+await main(async (browser, site, name, frames) => {
   const tab = await openPage(browser, site, name);
   const { page } = tab;
   const found = [];
@@ -19,7 +18,7 @@ await main(async (browser, site, name) => {
         await page.keyboard.press("End");
       }
     }
-    found.push(await box.evaluate(dragAll, { frames: FRAMES, hardest: HARDEST.source }));
+    found.push(await box.evaluate(dragAll, { frames: Number(frames), hardest: HARDEST.source }));
   }
   await close(tab);
   return found;

@@ -3,24 +3,27 @@
 Every slider of every explorer in the built book is moved from end to end in headless Chromium,
 one step per frame; opening and closing stay at their largest radius meanwhile. Beside it stands
 what labutils takes for the same values in Python, with OpenCV's own code, as the peer: no network,
-no drawing, so a page that needed a kernel for each frame would be slower than that.
+no drawing, so a page that needed a kernel for each frame would be slower than that. The ratio of
+the two is what counts; milliseconds are those of this machine.
 
-Usage: ``python -m tools.bench.explorers``; ends with an error where a median frame takes 16 ms.
+Usage: ``python -m tools.bench.explorers [--rounds 60]``; ends with an error where there is no
+Chromium or no built book.
 """
 
+import argparse
 import statistics
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from labutils.explorers._base import View
 from tools import headless
 from tools.explorer_views import find_pages, read_views
-from tools.vendor import frontend
+from tools.vendor import npm
 
 SCRIPT = Path(__file__).with_suffix(".mjs")
 
-FRAME_MS = 16.0
 REPEATS = 5
 
 
@@ -36,34 +39,36 @@ def measure_python(view: View, parameters: dict[str, object]) -> float:
     return min(times)
 
 
-def main() -> int:
+def main(arguments: Sequence[str] | None = None) -> int:
     """Print a table; return a shell's exit code."""
+    parser = argparse.ArgumentParser(description="Measure the frames of the explorers.")
+    parser.add_argument("--rounds", type=int, default=60, help="frames per slider")
+    options = parser.parse_args(arguments)
     if not headless.find_browser("CHROMIUM", headless.CHROMIUM_NAMES):
         print("explorers: not measured; no Chromium found, install it or set CHROMIUM")
-        return 0
+        return 1
     pages = headless.STUDENT_PAGES
     if not (pages / "index.html").is_file():
         print("explorers: not measured; the book is not built, run `make book` first")
-        return 0
-    frontend.vendor_tests()
-    print(
-        f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  of a 16 ms frame"
-    )
-    worst = 0.0
+        return 1
+    npm.install()
+    print("a frame, times labutils for the same values (milliseconds on this machine)")
+    print(f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  ratio")
+    slowest = 0.0
     for page in find_pages():
-        found = headless.run_script(SCRIPT, pages.as_uri() + "/", page)
+        found = headless.run_script(SCRIPT, pages.as_uri() + "/", page, options.rounds)
         views = read_views((pages / f"{page}.html").read_text(encoding="utf-8"))
         for one, view in zip(found, views, strict=True):
             times = sorted(one["times"])
             median, late = statistics.median(times), times[int(0.95 * len(times))]
-            worst = max(worst, median)
             peer = measure_python(view, one["parameters"])
+            slowest = max(slowest, median / peer)
             print(
                 f"{one['name']:<18}{len(times):>7}{median:>6.1f} ms{late:>6.1f} ms{peer:>8.1f} ms"
-                f"  {median / FRAME_MS:.2f}"
+                f"  {median / peer:.2f}"
             )
-    print(f"slowest median frame: {worst:.1f} ms, limit {FRAME_MS:.0f} ms")
-    return int(worst >= FRAME_MS)
+    print(f"slowest median frame: {slowest:.2f} times labutils")
+    return 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-// Times Python in the page: node tools/bench_page_python.mjs HTML_FOLDER PAGE EXERCISE CODE TURNS
+// Times Python in the page: node tools/bench/page_python.mjs HTML_FOLDER PAGE EXERCISE CODE TURNS
 //
 // Opens the page from a file, in Chromium (CHROMIUM names it), and checks the code. Prints JSON:
 // milliseconds from the first click to the result, then of TURNS later checks.

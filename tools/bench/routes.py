@@ -57,10 +57,12 @@ def make_open3d_legacy(
     height, width = depth.shape
     camera = o3d.camera.PinholeCameraIntrinsic(width, height, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
 
+    geometry: Any = o3d.geometry  # whose types do not know NumPy
+
     def make_images() -> Any:
-        return o3d.geometry.RGBDImage.create_from_color_and_depth(
-            o3d.geometry.Image(rgb),
-            o3d.geometry.Image(depth),
+        return geometry.RGBDImage.create_from_color_and_depth(
+            geometry.Image(rgb),
+            geometry.Image(depth),
             depth_scale=1.0,
             depth_trunc=MAX_DEPTH,
             convert_rgb_to_intensity=False,
@@ -82,7 +84,8 @@ def make_open3d_tensor(
     """Open3D's second interface, on the processor."""
     import open3d as o3d  # noqa: PLC0415 - one process, one library
 
-    camera = o3d.core.Tensor(K)
+    core: Any = o3d.core  # whose types do not know NumPy
+    camera = core.Tensor(K)
 
     def make_images() -> Any:
         return o3d.t.geometry.RGBDImage(o3d.t.geometry.Image(rgb), o3d.t.geometry.Image(depth))

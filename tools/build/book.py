@@ -1,103 +1,25 @@
 """Build the book: what `make book` runs once the environment stands.
 
-Fetches the front-end files, drops executed pages that no longer hold, runs Jupyter
-Book with warnings as errors, and prints one line per stage. The whole log goes to
-``book.log`` beside the pages; of a failure the part that matters is printed.
+Does nothing where nothing has changed. Otherwise it gathers the front-end files, drops executed
+pages that no longer hold, runs Jupyter Book with warnings as errors, and prints one line per stage.
+The whole log goes to ``book.log`` beside the pages; of a failure the part that matters is printed.
 
 Usage: ``python -m tools.build.book``. The variable ``EDITION`` chooses what is built:
 ``student`` (the default) goes to ``_build/html`` and holds no solution; ``instructor``
 goes to ``_build/instructor/html`` and adds the pages of ``tools/editions/instructor_pages.py``.
-The two share nothing but the front-end files. ``MUJOCO_GL`` is passed on to the cells.
+The two share nothing but the front-end files. ``MUJOCO_GL`` is passed on to the cells;
+``PAGES_AT_ONCE`` says how many pages run at a time (default: one per core).
 """
 
-import hashlib
-import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Iterable
-from dataclasses import dataclass
-from pathlib import Path
 
 from tools import ROOT
-from tools.vendor import frontend, pack_python
-
-
-@dataclass(frozen=True)
-class Edition:
-    """One of the books that can be built.
-
-    Parameters
-    ----------
-    name : str
-        What ``EDITION`` is set to.
-    folder : str
-        Where its pages and its memories lie, below the repository.
-    sources : tuple of str
-        What its pages depend on besides what those of every edition do.
-    config, toc : str
-        The configuration and the table of contents, likewise.
-    """
-
-    name: str
-    folder: str
-    sources: tuple[str, ...] = ()
-    config: str = "_config.yml"
-    toc: str = "_toc.yml"
-
-    @property
-    def build(self) -> Path:
-        """The folder that holds everything of this edition."""
-        return ROOT / self.folder
-
-    @property
-    def html(self) -> Path:
-        """The folder of the pages."""
-        return self.build / "html"
-
-    @property
-    def log(self) -> Path:
-        """Everything the last build said."""
-        return self.build / "book.log"
-
-    @property
-    def stamps(self) -> Path:
-        """What the memories were made from."""
-        return self.build / "stamps.json"
-
-
-EDITIONS = {
-    "student": Edition("student", "_build"),
-    "instructor": Edition(
-        "instructor",
-        "_build/instructor",
-        ("solutions", "tools/editions"),
-        "_build/instructor/_config.yml",
-        "_build/instructor/_toc.yml",
-    ),
-}
-
-# What the outputs of cells depend on besides the cells: Sphinx and jupyter-cache see
-# changes of the pages only, so a change here has to empty their memories.
-CELL_SOURCES = ("labutils", "assets", "requirements.txt")
-CELL_VARIABLES = ("MUJOCO_GL",)
-CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
-# What the look of every page depends on, but not its numbers. Sphinx does not even copy
-# a changed style sheet while no page has changed, and pages name it by its checksum.
-PAGE_SOURCES = (
-    "content",  # the hooks read the chapters
-    "book/_ext",
-    "book/_static",
-    "_build/page_python.json",  # names every asset of Python in the page
-    "book/_templates",
-    "_config.yml",
-    "_toc.yml",
-    "package-lock.json",
-)
-PAGE_MEMORY = (".doctrees", "html")
+from tools.build.edition import Edition, get_edition
+from tools.build.memory import Memory
 
 COLOR_CODES = re.compile(r"\x1b\[[0-9;]*m")
 CELL_ERROR = re.compile(
@@ -112,6 +34,9 @@ LAST_LINES = 40
 JUPYTER_BOOK = """
 import sys
 from pathlib import Path
+# jsonschema compiles the whole grammar of addresses when it is imported, two seconds in which
+# nothing happens, for a check that no notebook asks for; without the package it goes on
+sys.modules["rfc3987_syntax"] = None
 from jupyter_book.sphinx import build_sphinx
 source, html, config, toc = map(Path, sys.argv[1:])
 code = build_sphinx(
@@ -133,6 +58,36 @@ def main() -> int:
         print(f"book: {error}", file=sys.stderr)
         return 2
     edition.build.mkdir(parents=True, exist_ok=True)
+    memory = Memory(edition)
+    if memory.is_up_to_date():
+        print("book: nothing has changed since the last build")
+        print(f"open {(edition.html / 'index.html').as_uri()}")
+        return 0
+    if code := gather(edition):
+        return code
+    print(f"executed pages: {memory.forget_what_changed()}", flush=True)
+    code, log = _run_jupyter_book(edition)
+    executed = log.count("Executed notebook in")
+    read = len(set(re.findall(r"^reading sources\.\.\. \[ *\d+%\] (\S+)", log, re.MULTILINE)))
+    seconds = time.monotonic() - started
+    if code:
+        memory.forget_pages()
+        print(_what_went_wrong(log), file=sys.stderr)
+        print(
+            f"book: failed after {seconds:.0f} s; the whole log is {edition.log}", file=sys.stderr
+        )
+        return code
+    memory.note_built()
+    print(f"book: {read} pages read, {executed} executed, no warnings, {seconds:.0f} s")
+    print(f"open {(edition.html / 'index.html').as_uri()}")
+    return 0
+
+
+def gather(edition: Edition) -> int:
+    """Bring together what Jupyter Book does not make; return the exit code."""
+    # only here: a build without changes shall not wait for these imports
+    from tools.vendor import frontend, pack_python  # noqa: PLC0415
+
     if code := frontend.main([]) or pack_python.main():
         return code
     if edition.name == "instructor":
@@ -140,67 +95,7 @@ def main() -> int:
         from tools.editions import instructor_pages  # noqa: PLC0415
 
         print(f"instructor pages: {instructor_pages.write_pages()}", flush=True)
-    print(f"executed pages: {_forget_what_changed(edition)}", flush=True)
-    code, log = _run_jupyter_book(edition)
-    executed = log.count("Executed notebook in")
-    read = len(set(re.findall(r"^reading sources\.\.\. \[ *\d+%\] (\S+)", log, re.MULTILINE)))
-    seconds = time.monotonic() - started
-    if code:
-        # Sphinx would not repeat the warnings of a page it has already read
-        _remove(edition, PAGE_MEMORY)
-        print(_what_went_wrong(log), file=sys.stderr)
-        print(
-            f"book: failed after {seconds:.0f} s; the whole log is {edition.log}", file=sys.stderr
-        )
-        return code
-    print(f"book: {read} pages read, {executed} executed, no warnings, {seconds:.0f} s")
-    print(f"open {(edition.html / 'index.html').as_uri()}")
     return 0
-
-
-def get_edition(name: str) -> Edition:
-    """Look an edition up; no name means the student's."""
-    if (name or "student") not in EDITIONS:
-        raise ValueError(f"EDITION: expected one of {', '.join(EDITIONS)}, got {name!r}")
-    return EDITIONS[name or "student"]
-
-
-def _forget_what_changed(edition: Edition) -> str:
-    """Empty the memories whose sources have changed; return what was done, in words."""
-    old = json.loads(edition.stamps.read_text()) if edition.stamps.exists() else {}
-    variables = [f"{name}={os.environ.get(name, '')}" for name in CELL_VARIABLES]
-    new = {
-        "cells": _digest(CELL_SOURCES, [sys.version, *variables]),
-        "pages": _digest((*PAGE_SOURCES, *edition.sources)),
-    }
-    done = []
-    if old.get("cells") != new["cells"]:
-        _remove(edition, CELL_MEMORY)
-        done.append("all run again, because the library, the scene or the environment changed")
-    if old.get("pages") != new["pages"]:
-        _remove(edition, PAGE_MEMORY)
-        done.append("all drawn again, because the configuration changed")
-    edition.stamps.write_text(json.dumps(new))
-    if not old:
-        return "none yet"
-    return "; ".join(done) or "kept where the page is unchanged"
-
-
-def _digest(names: Iterable[str], extra: Iterable[str] = ()) -> str:
-    """Hash the contents of files and folders, and some text."""
-    digest = hashlib.sha256("\0".join(extra).encode())
-    for name in names:
-        path = ROOT / name
-        files = sorted(path.rglob("*")) if path.is_dir() else [path]
-        for file in files:
-            if file.is_file() and file.suffix != ".pyc":
-                digest.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
-    return digest.hexdigest()
-
-
-def _remove(edition: Edition, names: Iterable[str]) -> None:
-    for name in names:
-        shutil.rmtree(edition.build / name, ignore_errors=True)
 
 
 def _run_jupyter_book(edition: Edition) -> tuple[int, str]:
@@ -229,7 +124,7 @@ def _run_jupyter_book(edition: Edition) -> tuple[int, str]:
             errors="replace",
         ) as process,
     ):
-        for raw in process.stdout:
+        for raw in process.stdout or ():
             line = COLOR_CODES.sub("", raw)
             file.write(line)
             lines.append(line)

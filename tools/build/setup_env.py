@@ -63,7 +63,7 @@ def install_system_packages() -> None:
     if shutil.which("dpkg-query") is None:
         return  # not Debian or Ubuntu: macOS and Windows draw without extra packages
     wanted = (ROOT / "apt.txt").read_text(encoding="ascii").split()
-    missing = [name for name in wanted if not is_installed(name)]
+    missing = find_missing(wanted)
     if not missing:
         return
     command = ["apt-get", "install", "-y", "--no-install-recommends", *missing]
@@ -82,15 +82,16 @@ def install_system_packages() -> None:
             return
 
 
-def is_installed(package: str) -> bool:
-    """Ask dpkg whether a package is installed."""
+def find_missing(packages: list[str]) -> list[str]:
+    """Ask dpkg, once, which of the packages are not installed."""
     done = subprocess.run(
-        ["dpkg-query", "--show", "--showformat=${db:Status-Status}", package],
+        ["dpkg-query", "--show", "--showformat=${Package} ${db:Status-Status}\n", *packages],
         capture_output=True,
         text=True,
-        check=False,
+        check=False,  # it fails where it does not know one, and tells of the others
     )
-    return done.stdout.strip() == "installed"
+    lines = set(done.stdout.splitlines())
+    return [name for name in packages if f"{name} installed" not in lines]
 
 
 def install_python_packages() -> None:
@@ -107,19 +108,19 @@ def install_python_packages() -> None:
     with tempfile.TemporaryDirectory() as folder:
         only_uv = Path(folder) / "uv.txt"
         only_uv.write_text(uv_lines.group(), encoding="utf-8")
-        pip = [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        pip = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         subprocess.run(
-            [*pip, "--require-hashes", "-r", only_uv], check=True, stdout=subprocess.DEVNULL
+            [*pip, "--require-hashes", "-r", str(only_uv)], check=True, stdout=subprocess.DEVNULL
         )
     print("setup: installing the locked packages (about 1.3 GB on disk)")
-    uv = [python, "-m", "uv", "pip", "install", "--quiet", "--python", python]
+    uv = [str(python), "-m", "uv", "pip", "install", "--quiet", "--python", str(python)]
     subprocess.run(
-        [*uv, "--require-hashes", "-r", ROOT / "requirements.txt"],
+        [*uv, "--require-hashes", "-r", str(ROOT / "requirements.txt")],
         check=True,
         stdout=subprocess.DEVNULL,
     )
     subprocess.run(
-        [*uv, "--no-deps", "--no-build-isolation", "--editable", ROOT],
+        [*uv, "--no-deps", "--no-build-isolation", "--editable", str(ROOT)],
         check=True,
         stdout=subprocess.DEVNULL,
     )

@@ -26,7 +26,7 @@ from labutils.checks.table import TABLES, load_table, read_words
 from tools import ROOT
 from tools.stable_zip import make_zip
 from tools.vendor import page_python, page_wheels
-from tools.vendor.frontend import VendorError
+from tools.vendor.npm import VendorError
 
 PACKED = ROOT / "_build" / "page_python"
 MANIFEST = ROOT / "_build" / "page_python.json"

@@ -1,0 +1,80 @@
+"""The benches: all of them always run, and none calls a slow machine a failure."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.helpers import browser
+from tools.bench import __main__ as every
+from tools.bench import checks, explorers, page_python
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_make_bench_runs_every_bench():
+    folder = ROOT / "tools" / "bench"
+    helpers = {"__init__", "__main__", "routes"}
+    assert set(every.BENCHES) == {path.stem for path in folder.glob("*.py")} - helpers
+    assert "-m tools.bench\n" in (ROOT / "Makefile").read_text()
+
+
+def test_a_bench_that_cannot_run_stops_no_other_and_is_named(tmp_path, monkeypatch, capfd):
+    package = tmp_path / "tools" / "bench"
+    package.mkdir(parents=True)
+    for name, code in (("good", "print('measured')"), ("bad", "raise SystemExit('no browser')")):
+        (package / f"{name}.py").write_text(code)
+    monkeypatch.setattr(every, "ROOT", tmp_path)
+    assert every.main(["bad", "good", "bad"]) == 1
+    said = capfd.readouterr()
+    assert re.findall(r"--- (\w+) ---", said.out) == ["bad", "good", "bad"]
+    assert "measured" in said.out
+    assert "bench: could not run: bad, bad" in said.err
+    assert every.main(["good"]) == 0
+
+
+def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(monkeypatch, capsys):
+    class Slow:
+        def __call__(self, *_):
+            return {checks.REFERENCE: 2.0, checks.PEER: 1.0, "right": 10_000.0}
+
+    monkeypatch.setattr(checks, "measure", Slow())
+    assert checks.main(["--rounds", "1"]) == 0
+    said = capsys.readouterr().out
+    assert "right 5000.0 / 10000.0 (10000 ms)" in said
+    assert "slowest check: 5000.0 times the right answer" in said
+
+
+def test_a_check_is_compared_with_peers_that_do_something():
+    case = checks.make_large_cases()["find_object_centroid"]
+    times = checks.measure("find_object_centroid", case, 1)
+    assert list(times) == [checks.REFERENCE, checks.PEER, "right", "first mistake", "last pair"]
+    assert min(times.values()) > 0
+
+
+def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(tmp_path, monkeypatch, capsys):
+    (tmp_path / "index.html").write_text("")
+    (tmp_path / "page.html").write_text("")
+    found = [{"name": "hsv", "times": [400.0, 500.0, 600.0], "parameters": {}}]
+    monkeypatch.setattr(browser, "STUDENT_PAGES", tmp_path)
+    monkeypatch.setattr(browser, "find_browser", lambda *_: "chromium")
+    monkeypatch.setattr(browser, "run_script", lambda *_: found)
+    monkeypatch.setattr(explorers.npm, "install", lambda: "up to date")
+    monkeypatch.setattr(explorers, "PAGES", ["page"])
+    monkeypatch.setattr(explorers, "read_views", lambda _: [None])
+    monkeypatch.setattr(explorers, "measure_python", lambda *_: 10.0)
+    assert explorers.main([]) == 0
+    assert "slowest median frame: 50.00 times labutils" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("bench", [explorers, page_python])
+def test_what_could_not_be_measured_is_no_success(bench, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(browser, "STUDENT_PAGES", tmp_path)
+    monkeypatch.setattr(page_python, "HTML", tmp_path)
+    assert bench.main([]) == 1
+    assert "not measured" in capsys.readouterr().out
+
+
+def test_python_in_the_page_is_told_as_a_ratio(capsys):
+    page_python.print_line("every later check", [9000.0], "the native check", [3.0])
+    assert "3000.0 x the native check (9000 ms to 3 ms" in capsys.readouterr().out

@@ -1,0 +1,324 @@
+"""A build without changes does nothing; after a change, what depends on it is made again."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tools.build import book, edition, memory, setup_env
+from tools.build.edition import EDITIONS
+from tools.build.memory import Memory
+
+ROOT = Path(__file__).resolve().parents[2]
+
+PAGE = "book/step3_depth.md"
+TOP = """---
+jupytext:
+  text_representation: {extension: .md, format_name: myst}
+kernelspec: {display_name: Python 3, language: python, name: python3}
+---
+"""
+# what a build reads, one of each kind
+SOURCES = (
+    PAGE,
+    "exercises/step3_depth.md",
+    "labutils/depth_processing.py",
+    "assets/textures/wood.png",
+    "exercises/concepts/step3_depth.yml",
+    "book/_ext/quiz.py",
+    "book/_page_python/worker.js",
+    "book/_static/book.css",
+    "book/_static/figures/pinhole.svg",
+    "book/_templates/search.html",
+    "book/_generated/rubric.md",
+    "content/quiz_items.py",
+    "solutions/process_depth.py",
+    "tools/vendor/pack_python.py",
+    "_config.yml",
+    "_toc.yml",
+    "package-lock.json",
+    "requirements.txt",
+)
+RUN_AGAIN = ("labutils/depth_processing.py", "assets/textures/wood.png", "requirements.txt")
+DRAWN_AGAIN = (
+    "book/_ext/quiz.py",
+    "book/_static/book.css",
+    "book/_static/figures/pinhole.svg",
+    "book/_templates/search.html",
+    "content/quiz_items.py",
+    "_config.yml",
+    "_toc.yml",
+    "package-lock.json",
+)
+
+
+def write(folder, name, text):
+    path = folder / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
+
+
+def find_left(student):
+    return {name for name in memory.CELL_MEMORY + memory.PAGE_MEMORY if is_left(student, name)}
+
+
+def is_left(student, name):
+    return (student.build / name / "something").exists()
+
+
+def fill(student):
+    for name in {*memory.CELL_MEMORY, *memory.PAGE_MEMORY}:
+        write(student.build, f"{name}/something", "old")
+
+
+@pytest.fixture
+def repository(tmp_path, monkeypatch):
+    for module in (memory, edition):
+        monkeypatch.setattr(module, "ROOT", tmp_path)
+    for name in (memory.OUTSIDE, *memory.CELL_VARIABLES):
+        monkeypatch.delenv(name, raising=False)
+    for name in SOURCES:
+        write(tmp_path, name, "before")
+    return tmp_path
+
+
+@pytest.fixture
+def built(repository):  # noqa: ARG001 - what it is built from
+    """An edition that has just been built, from the repository as it is."""
+    student = EDITIONS["student"]
+    student.build.mkdir()
+    now = Memory(student)
+    now.forget_what_changed()
+    fill(student)
+    now.note_built()
+    assert Memory(student).is_up_to_date()
+    return student
+
+
+# --- has anything changed? ---
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_a_changed_source_is_seen(name, built, repository):
+    write(repository, name, "after!")  # as long as before
+    assert not Memory(built).is_up_to_date()
+
+
+def test_a_new_a_renamed_and_a_lost_source_are_seen(built, repository):
+    write(repository, "book/new.md", "")
+    assert not Memory(built).is_up_to_date()
+    (repository / "book" / "new.md").unlink()
+    assert Memory(built).is_up_to_date()
+    (repository / PAGE).rename(repository / "book" / "other.md")
+    assert not Memory(built).is_up_to_date()
+
+
+def test_a_source_that_was_only_touched_is_no_change(built, repository):
+    os.utime(repository / PAGE)
+    assert Memory(built).is_up_to_date()
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "tests/book/test_toc.py",
+        ".git/index",
+        ".venv/lib/x.py",
+        "outputs/cloud.ply",
+        "labutils/__pycache__/x.cpython-311.pyc",
+        "labutils.egg-info/PKG-INFO",
+        "solutions/pages/step1.md",
+        "_build/npm/package.json",
+    ],
+)
+def test_what_no_page_is_made_from_is_no_change(name, built, repository):
+    write(repository, name, "something else")
+    assert Memory(built).is_up_to_date()
+
+
+def test_other_variables_and_other_wheels_are_seen(built, monkeypatch, tmp_path_factory):
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    assert not Memory(built).is_up_to_date()
+    monkeypatch.delenv("MUJOCO_GL")
+    folder = tmp_path_factory.mktemp("wheels")
+    write(folder, "numpy.whl", "1")
+    monkeypatch.setenv(memory.OUTSIDE, str(folder))
+    assert not Memory(built).is_up_to_date()
+    Memory(built).note_built()
+    assert Memory(built).is_up_to_date()
+    write(folder, "numpy.whl", "another")
+    assert not Memory(built).is_up_to_date()
+
+
+def test_a_lost_or_changed_page_is_drawn_again(built):
+    (built.html / "something").unlink()
+    now = Memory(built)
+    assert not now.is_up_to_date()
+    fill(built)
+    assert "not as they were left" in now.forget_what_changed()
+    assert find_left(built) == {".jupyter_cache", "jupyter_execute"}
+
+
+def test_what_changes_during_a_build_is_seen_by_the_next(built, repository):
+    running = Memory(built)
+    running.forget_what_changed()
+    write(repository, PAGE, "after!")
+    running.note_built()
+    assert not Memory(built).is_up_to_date()
+
+
+def test_a_build_that_failed_is_not_taken_for_one_that_stands(built, repository):
+    write(repository, PAGE, "after!")
+    Memory(built).forget_what_changed()  # and then a cell fails
+    write(repository, PAGE, "before")
+    assert not Memory(built).is_up_to_date()
+
+
+def test_pages_that_want_for_wheels_are_built_again(built, repository):
+    write(repository, "_build/page_python.json", json.dumps({"remote": [{"name": "numpy"}]}))
+    now = Memory(built)
+    now.forget_what_changed()
+    now.note_built()
+    assert not Memory(built).is_up_to_date()
+
+
+def test_the_editions_are_told_apart(built):
+    instructor = EDITIONS["instructor"]
+    instructor.build.mkdir(parents=True)
+    assert not Memory(instructor).is_up_to_date()
+    assert Memory(built).is_up_to_date()
+
+
+# --- what has to be made again? ---
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_a_change_empties_the_memories_that_depend_on_it(name, built, repository):
+    everything = find_left(built)
+    write(repository, name, "after!")
+    said = Memory(built).forget_what_changed()
+    if name in RUN_AGAIN:
+        assert "all run again" in said
+        assert find_left(built) == {"html"}
+    elif name in DRAWN_AGAIN:
+        assert said == "all drawn again, because the configuration changed"
+        assert find_left(built) == {".jupyter_cache", "jupyter_execute"}
+    else:  # of these Sphinx knows which page they belong to
+        assert said == "kept where the page is unchanged"
+        assert find_left(built) == everything
+
+
+def test_another_opengl_runs_all_cells_again(built, monkeypatch):
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    assert "all run again" in Memory(built).forget_what_changed()
+    assert not is_left(built, ".jupyter_cache")
+
+
+@pytest.mark.usefixtures("repository")
+def test_outputs_of_unknown_age_are_not_trusted():
+    student = EDITIONS["student"]
+    fill(student)
+    assert Memory(student).forget_what_changed() == "none yet"
+    assert find_left(student) == set()
+
+
+# --- the build itself ---
+
+
+def test_a_build_without_changes_prepares_nothing_and_says_what_to_open(built, monkeypatch, capsys):
+    monkeypatch.setattr(book, "gather", lambda _: pytest.fail("went on"))
+    monkeypatch.delenv("EDITION", raising=False)
+    assert book.main() == 0
+    said = capsys.readouterr().out
+    assert "nothing has changed" in said
+    assert f"open {(built.html / 'index.html').as_uri()}" in said
+
+
+def test_the_question_whether_to_build_loads_no_library():
+    code = (
+        "import sys; import tools.build.book; print('numpy' in sys.modules, 'yaml' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["False", "False"]
+
+
+@pytest.mark.slow
+def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
+    # one page with a cell, one with a question, in a copy of everything else
+    ignored = shutil.ignore_patterns(
+        "_build", "outputs", ".*", "tests", "__pycache__", "*.egg-info", "pages"
+    )
+    shutil.copytree(ROOT, tmp_path, dirs_exist_ok=True, ignore=ignored)
+    for name in ("vendor", "vendor_python"):
+        if not (ROOT / "_build" / name).is_dir():
+            pytest.skip("the front end is not there; run `make book` first")
+        shutil.copytree(ROOT / "_build" / name, tmp_path / "_build" / name)
+    write(tmp_path, "_toc.yml", "format: jb-book\nroot: book/one\nchapters:\n- file: book/two\n")
+    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 * 7)\n```\n")
+    question = (ROOT / "exercises" / "concepts" / "step3_depth.yml").read_text()
+    labels = sorted(set(re.findall(r"^ *section: (\S+)", question, re.MULTILINE)))
+    places = "".join(f"({label})=\n## {label}\n\n" for label in labels)
+    write(tmp_path, "book/two.md", f"# Two\n\n{places}```{{quiz}} two\n```\n")
+    write(tmp_path, "exercises/concepts/two.yml", question)
+
+    def run_build():
+        return subprocess.run(
+            [sys.executable, "-m", "tools.build.book"],
+            cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    def build():
+        started = time.monotonic()
+        done = run_build()
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout, time.monotonic() - started
+
+    said, whole = build()
+    assert "2 pages read, 1 executed" in said
+    said, again = build()
+    assert "nothing has changed" in said
+    assert again < whole / 3
+    write(tmp_path, "book/one.md", (tmp_path / "book/one.md").read_text().replace("6 * 7", "7 * 7"))
+    assert "1 pages read, 1 executed" in build()[0]
+    assert "49" in (tmp_path / "_build" / "html" / "book" / "one.html").read_text()
+    write(tmp_path, "exercises/concepts/two.yml", f"{question}\n")
+    assert "1 pages read, 0 executed" in build()[0]
+    sheet = tmp_path / "book" / "_static" / "book.css"
+    sheet.write_text(sheet.read_text() + "\n.added { color: red }\n")
+    assert "2 pages read, 0 executed" in build()[0]
+    assert ".added" in (tmp_path / "_build" / "html" / "_static" / "book.css").read_text()
+    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 / 0)\n```\n")
+    done = run_build()
+    assert done.returncode
+    assert "book/one.md: WARNING: Executing notebook failed: CellExecutionError" in done.stderr
+    assert "ZeroDivisionError: division by zero" in done.stderr
+    assert "print(6 / 0)" in done.stderr
+    assert "Traceback of" not in done.stderr
+    assert run_build().returncode  # and it stays one
+
+
+# --- the environment before it ---
+
+
+def test_missing_system_packages_are_asked_for_in_one_call(tmp_path, monkeypatch):
+    script = tmp_path / "dpkg-query"
+    script.write_text(
+        f"#!/bin/sh\necho call >> {tmp_path}/calls\n"
+        "echo libegl1 installed; echo libgl1 config-files; exit 1\n"
+    )
+    script.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    assert setup_env.find_missing(["libegl1", "libgl1", "libx11-6"]) == ["libgl1", "libx11-6"]
+    assert (tmp_path / "calls").read_text() == "call\n"
