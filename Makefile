@@ -14,10 +14,11 @@ EDITION ?= student
 export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs exercises student test lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises new-chapter \
+	new-exercise unfilled student test lint format check bench lock clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: ## install what is needed (every other target does it by itself)
 	@$(PYTHON) -u -m tools.build.setup_env
@@ -37,6 +38,16 @@ outputs: setup ## write the five files of the lab into outputs/
 exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
 	@$(RUN) -m tools.derive.exercises
 	@$(RUN) -m tools.derive.objectives
+
+new-chapter: setup ## write the files of a chapter: ID=two-eyes [TITLE="What ...?"] [KIND=extension]
+	@$(RUN) -m tools.scaffold.chapter --id "$(ID)" --title "$(TITLE)" --kind "$(KIND)"
+
+new-exercise: setup ## write the files of an exercise: NAME=find_edges CHAPTER=two-eyes [KIND=lab]
+	@$(RUN) -m tools.scaffold.exercise --name "$(NAME)" --chapter "$(CHAPTER)" --kind "$(KIND)" \
+		--args "$(ARGS)"
+
+unfilled: setup ## name the places that are still to be filled, by file and line
+	@$(RUN) -m tools.scaffold.unfilled
 
 student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
 	@$(RUN) -m tools.editions.student

@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 
 from tests.helpers.scenes import make_asymmetric_scene
+from tools.scaffold.unfilled import find_unfilled
 
 
 @pytest.fixture
@@ -42,5 +43,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
         terminalreporter.section("notebooks")
         for run in sorted(runs):
             terminalreporter.write_line(run)
+    if places := find_unfilled():
+        terminalreporter.section("still to be filled")
+        for place in places:
+            terminalreporter.write_line(str(place))
     tests = len(terminalreporter.stats.get("passed", []))
     terminalreporter.write_line(f"{tests} tests passed, {len(runs)} of them ran a notebook")

@@ -5,6 +5,7 @@
 | ``build`` | sets up the environment and builds the pages |
 | ``vendor`` | fetches front-end files, packs Python for the pages |
 | ``derive`` | writes what follows from the cards and the chapters |
+| ``scaffold`` | writes the files of a new chapter or exercise, names what is unfilled |
 | ``editions`` | the instructor's pages, the learner's zip |
 | ``bench`` | measures speed against named peers |
 | ``draw`` | figures, cover, textures, screenshots |

@@ -118,12 +118,12 @@ def test_every_chapter_has_notes_and_minutes(pages):
         count = len(notes.splitlines())
         assert 15 <= count <= 30, f"notes of {chapter.id}: expected 15 to 30 lines, got {count}"
         for heading in ("What they stumble over", "Ask", "Show live"):
-            assert f"**{heading}.**" in notes
+            assert f"**{heading}.**" in notes, f"notes of {chapter.id}: expected **{heading}.**"
         text = pages[make_instructor_pages.PAGES / f"{chapter.id}.md"]
         assert notes in text
         minutes = re.findall(r"^\| (?:Reading|Doing) \| about (\d+) minutes", text, re.MULTILINE)
-        assert len(minutes) == 2
-        assert min(map(int, minutes)) > 0
+        assert len(minutes) == 2, f"{chapter.page}: expected a card with Reading and Doing"
+        assert min(map(int, minutes)) > 0, f"{chapter.page}: expected minutes to read and to do"
 
 
 @pytest.mark.parametrize(

@@ -87,7 +87,7 @@ def test_every_card_leaves_fingerprints(secrets):
         lines = [
             line for one in secrets if one.origin.startswith(exercise.name) for line in one.lines
         ]
-        assert lines, exercise.name
+        assert lines, f"{exercise.name}: expected one line of 24 characters that is its own"
 
 
 def test_fingerprints_are_lines_of_code_without_comments_and_breaks():

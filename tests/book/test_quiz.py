@@ -48,16 +48,19 @@ def test_every_chapter_with_questions_shows_its_own():
 @pytest.mark.parametrize("item", ITEMS, ids=lambda item: item.id)
 def test_feedback_explains_and_does_not_only_judge(item):
     for choice in item.choices:
-        assert not re.match(r"(wrong|right|no|yes|correct|incorrect)\b", choice.feedback.lower())
-        assert choice.feedback.endswith((".", "?", "!"))
+        judges = re.match(r"(wrong|right|no|yes|correct|incorrect)\b", choice.feedback.lower())
+        assert not judges, f"expected an explanation first, got {choice.feedback!r}"
+        ends = choice.feedback.endswith((".", "?", "!"))
+        assert ends, f"expected sentences, got {choice.feedback!r}"
 
 
 def test_the_place_of_the_right_choice_tells_nothing():
     places = Counter(item.right_index for item in ITEMS)
-    assert max(places.values()) <= 0.4 * len(ITEMS)
+    shares = f"places of the right choices: {dict(places)} of {len(ITEMS)}"
+    assert max(places.values()) <= 0.4 * len(ITEMS), f"expected no place above 40 %; {shares}"
     longest = [max(range(len(i.choices)), key=lambda n, i=i: len(i.choices[n].text)) for i in ITEMS]
     hits = sum(place == item.right_index for place, item in zip(longest, ITEMS, strict=True))
-    assert hits <= 0.45 * len(ITEMS)
+    assert hits <= 0.45 * len(ITEMS), f"the longest choice is right in {hits} of {len(ITEMS)}"
 
 
 def test_every_computed_answer_has_its_test_and_every_test_its_question():

@@ -15,6 +15,8 @@ CHAPTERS = list_taught()
 EXERCISES = [page for page in get_toc_pages() if page.parts[0] == "exercises"]
 STARTER = r"^```\{code-cell\}[^\n]*\n:tags: \[exercise\]\n.*?^```$"
 PAGES = find_pages()
+NO_ALT = "expected an alt text of 20 characters and more that says the finding"
+MAX_LINES, MAX_CELL = 350, 8
 
 
 def read(page: Path | str) -> str:
@@ -53,11 +55,11 @@ def test_every_picture_says_its_finding_in_words(page):
         r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$", text, re.DOTALL | re.MULTILINE
     )
     for figure in figures:
-        assert re.search(r"^:alt: .{20,}", figure, re.MULTILINE), figure
+        assert re.search(r"^:alt: .{20,}", figure, re.MULTILINE), f"{NO_ALT}: {figure}"
     for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
         last = [line for line in cell.splitlines() if line.strip()][-2]
         if re.match(r"(figures\.)?(plot_|visualize_pointcloud)", last):
-            assert re.search(r"alt: .{20,}", cell), cell
+            assert re.search(r"alt: .{20,}", cell), f"{NO_ALT}: {cell}"
     assert not re.search(r"!\[\]\(", text), "an image without words"
 
 
@@ -87,9 +89,10 @@ def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter):
         "New words",
         "Further reading",
     ]
-    assert [h for h in headings if h in fixed] == fixed
+    found = [h for h in headings if h in fixed]
+    assert found == fixed, f"expected the sections {fixed}, in this order, got {found}"
     ideas = [h for h in headings if h not in fixed]
-    assert 1 <= len(ideas) <= 3
+    assert 1 <= len(ideas) <= 3, f"expected 1 to 3 sections of its own, one per idea, got {ideas}"
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
@@ -127,8 +130,8 @@ def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter):
         assert words > 40, f"{card.name}: expected a statement of more than 40 words, got {words}"
         assert f"{card.name}(" in statement, f"{card.name}: expected an example call"
         for hint in card.hints:
-            assert hint not in text  # hints are asked for, and counted
-    assert text.count(":tags: [exercise]") == len(cards)
+            assert hint not in text, "a hint stands on the page: hints are asked for, and counted"
+    assert text.count(":tags: [exercise]") == len(cards), "expected one starter for each card"
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
@@ -147,13 +150,15 @@ def test_pages_and_their_cells_stay_short(page):
     # nobody should save on those.
     text = re.sub(STARTER, "", read(page), flags=re.DOTALL | re.MULTILINE)
     seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
-    assert len(seen.splitlines()) <= 350 + 40 * text.count("\nfrom labutils.explorers import ")
+    lines = len(seen.splitlines())
+    limit = MAX_LINES + 40 * text.count("\nfrom labutils.explorers import ")
+    assert lines <= limit, f"expected a page of at most {limit} lines, got {lines}"
     for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         code = re.sub(r"\A---\n.*?^---\n", "", cell, flags=re.DOTALL | re.MULTILINE)
         lines = [
             line for line in code.splitlines() if line.strip() and not line.startswith((":", "#"))
         ]
-        assert len(lines) <= 8, cell
+        assert len(lines) <= MAX_CELL, f"expected a cell of at most {MAX_CELL} lines: {cell}"
 
 
 @pytest.mark.parametrize("page", PAGES, ids=str)
@@ -171,4 +176,4 @@ def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
                 "subprocess",
                 "warnings",
             }
-            assert name in allowed or standard, name
+            assert name in allowed or standard, f"cells may not import {name}"

@@ -136,7 +136,7 @@ def test_starters_fit_into_a_cell_without_scrolling(files, tool):
         if path.parent == tool.STARTERS:
             code = content.decode().split('"""\n\n', 1)[1]
             lines = [line for line in code.splitlines() if not line.lstrip().startswith(">>>")]
-            assert max(map(len, lines)) <= 76, path
+            assert max(map(len, lines)) <= 76, f"{path}: expected lines of at most 76 characters"
 
 
 def test_tables_may_differ_by_a_rounding_but_by_no_more(files, tool):

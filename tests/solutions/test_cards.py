@@ -20,6 +20,8 @@ from labutils.checks.verdict import MAX_LINES
 from solutions import QUALITY_POINTS, load_exercises
 
 ROOT = Path(__file__).resolve().parents[2]
+#: With one case, a constant would pass.
+MIN_VISIBLE = 2
 
 
 def count_right(table, answers):
@@ -70,8 +72,9 @@ def test_untouched_starter_scores_0(exercise, table, hidden_table):
 def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
     for made in exercise.get_combinations():
         verdict = judge(table, exercise.make_wrong(made))
-        assert not verdict.passed
-        assert verdict.misconception == " + ".join(made)
+        assert not verdict.passed, f"{made} passes the visible cases: add a case that shows it"
+        named = verdict.misconception
+        assert named == " + ".join(made), f"{made} looks like {named}: part them, or list Absorbed"
         assert verdict.failed_gate is not None
 
 
@@ -80,7 +83,8 @@ def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table):
         hidden = hidden_table(seed)
         for mistake in exercise.misconceptions:
             answers = collect_answers(hidden, exercise.make_wrong((mistake.name,)))
-            assert find_failure(hidden, answers), (seed, mistake.name)
+            failure = find_failure(hidden, answers)
+            assert failure, f"{mistake.name} passes the hidden cases of seed {seed}"
 
 
 def test_every_pair_fails_hidden_cases(exercise, hidden_table):
@@ -129,6 +133,7 @@ def test_constants_nan_and_echoes_score_0(table, hidden_table):
 
 
 def test_answer_of_another_case_scores_0(table):
+    assert len(table.cases) >= MIN_VISIBLE, f"expected {MIN_VISIBLE} visible cases that differ"
     shifted = (*table.expected[1:], table.expected[0])
     assert find_failure(table, shifted)
     assert count_right(table, shifted) == 0
@@ -206,8 +211,8 @@ def secret_numbers(table):
 
 def test_misconceptions_of_one_card_say_different_things(exercise):
     texts = [one.text for one in exercise.misconceptions]
-    assert len(set(texts)) == len(texts)
-    assert len(set(exercise.hints)) == 3
+    assert len(set(texts)) == len(texts), "two mistakes have the same text"
+    assert len(set(exercise.hints)) == 3, "expected three different hints"
 
 
 def test_points_are_the_rubric_of_the_lab():
@@ -222,7 +227,8 @@ def test_points_are_the_rubric_of_the_lab():
 
 
 def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
-    assert exercise.is_challenge != hasattr(labutils, exercise.name)
+    in_library = hasattr(labutils, exercise.name)
+    assert exercise.is_challenge != in_library, "a challenge is what the library does not answer"
     if not exercise.is_challenge:
         assert exercise.reference is getattr(labutils, exercise.name)
 

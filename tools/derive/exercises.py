@@ -29,6 +29,7 @@ from tools.derive.exercise_pages import (
     make_starter,
     select,
 )
+from tools.scaffold.unfilled import find_unfilled
 from tools.stable_zip import make_zip
 
 TABLES = Path("labutils/checks/tables")
@@ -44,6 +45,9 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     parser.add_argument("--root", type=Path, default=ROOT, help="folder to write to")
     options = parser.parse_args(arguments)
+    if places := find_unfilled():
+        print("exercises: fill these places first", *places, sep="\n  ", file=sys.stderr)
+        return 1
     files = make_files(load_exercises())
     stale = find_stale(files, options.root)
     if options.check:
