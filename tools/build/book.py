@@ -18,7 +18,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -167,9 +167,8 @@ def get_edition(name: str) -> Edition:
 def _forget_what_changed(edition: Edition) -> str:
     """Empty the memories whose sources have changed; return what was done, in words."""
     old = json.loads(edition.stamps.read_text()) if edition.stamps.exists() else {}
-    variables = [f"{name}={os.environ.get(name, '')}" for name in CELL_VARIABLES]
     new = {
-        "cells": _digest(CELL_SOURCES, [sys.version, *variables]),
+        "cells": make_cell_stamp(os.environ),
         "pages": _digest((*PAGE_SOURCES, *edition.sources)),
     }
     done = []
@@ -183,6 +182,12 @@ def _forget_what_changed(edition: Edition) -> str:
     if not old:
         return "none yet"
     return "; ".join(done) or "kept where the page is unchanged"
+
+
+def make_cell_stamp(environment: Mapping[str, str]) -> str:
+    """Hash what the outputs of cells depend on besides the cells, in an environment."""
+    variables = [f"{name}={environment.get(name, '')}" for name in CELL_VARIABLES]
+    return _digest(CELL_SOURCES, [sys.version, *variables])
 
 
 def _digest(names: Iterable[str], extra: Iterable[str] = ()) -> str:
