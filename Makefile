@@ -14,10 +14,10 @@ EDITION ?= student
 export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs exercises student test lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises student test test-slow lint format check bench lock clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 setup: ## install what is needed (every other target does it by itself)
 	@$(PYTHON) -u -m tools.build.setup_env
@@ -41,8 +41,12 @@ exercises: setup ## derive starters, check tables, pages, rubric, hints and the 
 student: setup ## pack the notebooks for learners: _build/student/camera-lab-student.zip
 	@$(RUN) -m tools.editions.student
 
-test: book ## run all tests, every page in a browser, every chapter as a notebook
-	@$(RUN) -m pytest -n auto --dist worksteal
+test: book ## run the tests, every page in a browser, every chapter as a notebook
+	@$(RUN) -m pytest -n auto --dist worksteal -m "not slow"
+
+test-slow: book ## run what is slow by nature: all seeds, scratch copies, other versions
+	@echo "test-slow: needs what \`make test\` needs, and from the package index OpenCV 4.11"
+	@$(RUN) -m pytest -n auto --dist worksteal -m slow --record-slow book/_generated/slow_tests.md
 
 lint: setup ## check style and types
 	@$(RUN) -m ruff check .

@@ -284,7 +284,6 @@ def test_questions_keep_their_choices_and_fold_their_answers():
     assert "(on the page)" not in text
 
 
-@pytest.mark.slow
 def test_the_zip_runs_on_its_own(tmp_path, files):
     with zipfile.ZipFile(io.BytesIO(make_student.pack(files))) as archive:
         archive.extractall(tmp_path)

@@ -217,7 +217,6 @@ def test_the_library_never_imports_the_solutions():
             assert not any(name.split(".")[0] == "solutions" for name in names), path
 
 
-@pytest.mark.slow
 def test_the_built_book_holds_no_leak(secrets):
     if not (HTML / "index.html").is_file():
         done = subprocess.run(

@@ -14,8 +14,6 @@ from labutils import hint
 from labutils.checks.progress import Progress, Record, load_progress, save_progress
 from labutils.checks.table import read_words
 
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = "exercises/step3_depth"
 PACKED = ROOT / "_build" / "page_python" / "python"

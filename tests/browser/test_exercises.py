@@ -15,8 +15,6 @@ from labutils.checks.table import load_table
 from solutions import load_exercises
 from tools.vendor.pack_python import list_page_exercises
 
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = {card.step: card.chapter for card in load_exercises().values()}
 CARDS = {name: load_exercises()[name] for name in list_page_exercises()}
@@ -59,10 +57,20 @@ def plan(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module", params=sorted(CHAPTERS))
-def step(request, chromium, file_site, plan, page_python):  # noqa: ARG001 - what it needs to run
+#: The page that runs in `make test`: most exercises, and answers of most kinds.
+SAMPLE = 5
+STEPS = [
+    step if step == SAMPLE else pytest.param(step, marks=pytest.mark.slow)
+    for step in sorted(CHAPTERS)
+]
+
+
+@pytest.fixture(scope="module", params=STEPS)
+def step(request, chromium, file_site, plan, page_python, once):  # noqa: ARG001 - needed to run
     """One page with all its exercises, opened from a file."""
-    return request.param, chromium("exercises.mjs", file_site, page_of(request.param), plan)
+    page = page_of(request.param)
+    make = lambda: chromium("exercises.mjs", file_site, page, plan)  # noqa: E731
+    return request.param, once(f"exercises-{request.param}", make)
 
 
 def page_of(step):

@@ -11,6 +11,7 @@ import pytest
 
 from labutils import explorers
 from labutils.explorers._base import View
+from tests.helpers import browser
 from tests.helpers.chapters import ROOT, find_widgets, get_toc_pages
 
 STATE = r'<script type="application/vnd\.jupyter\.widget-state\+json">(.*?)</script>'
@@ -31,7 +32,7 @@ def find_pages_with_explorers() -> list[str]:
 PAGES = find_pages_with_explorers()
 
 
-@pytest.fixture(scope="module", params=["file", "http"])
+@pytest.fixture(scope="module", params=browser.PROTOCOLS)
 def protocol(request):
     return request.param
 
@@ -45,8 +46,7 @@ def page(request):
 def used(protocol, page, request, chromium, once):
     """What the explorers of a page said while they were used."""
     site = request.getfixturevalue(f"{protocol}_site")
-    name = f"explorers-{protocol}-{page.replace('/', '-')}"
-    return once(name, lambda: chromium("explorers.mjs", site, page))
+    return once(f"explorers-{protocol}", lambda: chromium("explorers.mjs", site, *PAGES))[page]
 
 
 def read_views(html: str) -> list[View]:

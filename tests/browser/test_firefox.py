@@ -29,7 +29,7 @@ def pages_to_open(folder):
     return list(dict.fromkeys([*PAGES, *with_widgets]))
 
 
-@pytest.fixture(scope="module", params=["file", "http"])
+@pytest.fixture(scope="module", params=browser.PROTOCOLS)
 def visits(request, firefox, student_pages, once):
     """What a visitor with Firefox finds: {page: findings}."""
     site = request.getfixturevalue(f"{request.param}_site")

@@ -32,6 +32,22 @@ def test_derived_files_are_current(tool, files):
     assert tool.find_stale(files, ROOT) == {}
 
 
+def test_a_file_that_is_stale_missing_or_left_over_is_told(tool, files, tmp_path):
+    for path, content in files.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_bytes(content)
+    assert tool.find_stale(files, tmp_path) == {}
+    (tmp_path / tool.RUBRIC).write_text("other")
+    (tmp_path / tool.HINTS).unlink()
+    (tmp_path / tool.TABLES / "old.npz").write_bytes(b"")
+    assert tool.find_stale(files, tmp_path) == {
+        tool.RUBRIC: "out of date",
+        tool.HINTS: "missing",
+        tool.TABLES / "old.npz": "left over",
+    }
+
+
+@pytest.mark.slow  # derives everything five times
 def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, capsys):
     assert tool.main(["--root", str(tmp_path)]) == 0
     assert tool.main(["--root", str(tmp_path), "--check"]) == 0

@@ -31,6 +31,8 @@ SCRIPTS = ROOT / "tests" / "browser"
 STUDENT_PAGES = ROOT / "_build" / "html"
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 FIREFOX_NAMES = ("firefox-esr", "firefox")
+#: Ways to open the pages. A file is the stricter one: it may read no other file by a script.
+PROTOCOLS = ["file", pytest.param("http", marks=pytest.mark.slow)]
 LONGEST_RUN = 600  # seconds, for one script: a hung browser must not hang the tests
 
 

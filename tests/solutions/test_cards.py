@@ -19,6 +19,10 @@ from labutils.checks.verdict import MAX_LINES
 from solutions import QUALITY_POINTS, load_exercises
 
 ROOT = Path(__file__).resolve().parents[2]
+SEEDS = [
+    pytest.param(range(3), id="3 seeds"),
+    pytest.param(range(3, 20), id="17 more", marks=pytest.mark.slow),
+]
 
 
 def count_right(table, answers):
@@ -36,8 +40,9 @@ def test_reference_passes_the_shipped_table(exercise, table):
     assert judge(table, exercise.reference).passed
 
 
-def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table):
-    for seed in range(20):
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+    for seed in seeds:
         hidden = hidden_table(seed)
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(()))) is None
 
@@ -74,19 +79,20 @@ def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
         assert verdict.failed_gate is not None
 
 
-def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table):
-    for seed in range(20):
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+    for seed in seeds:
         hidden = hidden_table(seed)
         for mistake in exercise.misconceptions:
             answers = collect_answers(hidden, exercise.make_wrong((mistake.name,)))
             assert find_failure(hidden, answers), (seed, mistake.name)
 
 
-def test_every_pair_fails_hidden_cases(exercise, hidden_table):
-    for seed in range(2):
-        hidden = hidden_table(seed)
-        for made in exercise.get_combinations():
-            assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_every_pair_fails_hidden_cases(exercise, hidden_table, seed):
+    hidden = hidden_table(seed)
+    for made in exercise.get_combinations():
+        assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
 
 
 def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
