@@ -39,6 +39,7 @@ def write(folder, *entries):
 
 
 def test_every_chapter_with_questions_shows_its_own():
+    assert PAGES
     for page in PAGES:
         text = (ROOT / "book" / f"{page}.md").read_text(encoding="utf-8")
         assert re.findall(r"^```\{quiz\} (.+)$", text, re.MULTILINE) == [page]

@@ -108,6 +108,7 @@ def test_every_step_has_its_exercise_page_and_leads_to_it(page):
 def test_exercise_pages_state_start_check_and_hint_each_exercise(page):
     text = read(page)
     cards = [one for one in load_exercises().values() if one.chapter == page.name]
+    assert cards
     for card in cards:
         label = f"(exercise-{card.name.replace('_', '-')})=\n## "
         _, _, tail = text.partition(label)
@@ -165,3 +166,17 @@ def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
                 "warnings",
             }
             assert name in allowed or standard, name
+
+
+def test_the_rules_for_pages_find_what_they_look_for():
+    # or a change of the markup would make the tests above pass by finding nothing
+    text = "\n".join(read(page) for page in PAGES)
+    for pattern in (
+        r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$",
+        r"^```\{code-cell\}.*?^```$",
+        STARTER,
+        r"^(?:figures\.)?(?:plot_|visualize_pointcloud)",
+        r"^\s*(?:from|import) \w+",
+        r"^:alt: .{20,}",
+    ):
+        assert len(re.findall(pattern, text, re.DOTALL | re.MULTILINE)) > 5, pattern

@@ -99,6 +99,7 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(step):
 
 def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(step):
     _, done = step
+    assert done["said"]
     for name, said in done["said"].items():
         wrong = CARDS[name].make_wrong((CARDS[name].misconceptions[0].name,))
         drawn = judge(load_table(name), wrong).picture is not None

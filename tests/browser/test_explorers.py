@@ -46,7 +46,9 @@ def page(request):
 def used(protocol, page, request, chromium, once):
     """What the explorers of a page said while they were used."""
     site = request.getfixturevalue(f"{protocol}_site")
-    return once(f"explorers-{protocol}", lambda: chromium("explorers.mjs", site, *PAGES))[page]
+    seen = once(f"explorers-{protocol}", lambda: chromium("explorers.mjs", site, *PAGES))[page]
+    assert seen["explorers"], "or the tests below would pass by finding nothing"
+    return seen
 
 
 def read_views(html: str) -> list[View]:
@@ -153,6 +155,7 @@ def test_using_explorers_asks_no_other_host_and_raises_no_error(used):
 
 def test_every_explorer_is_used_on_some_page():
     text = "".join((ROOT / page).with_suffix(".md").read_text("utf-8") for page in PAGES)
+    assert len(find_widgets()) > 5
     for name in find_widgets():
         assert f"explore_{name}(" in text
         assert f"explore_{name}" in explorers.__all__

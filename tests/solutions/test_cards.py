@@ -1,6 +1,7 @@
 """The tests of the tests: what every card has to prove of itself."""
 
 import itertools
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -96,6 +97,9 @@ def test_every_pair_fails_hidden_cases(exercise, hidden_table, seed):
 
 
 def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
+    pairs = math.comb(len(exercise.misconceptions), 2)
+    tested = sum(len(made) == 2 for made in exercise.get_combinations())
+    assert len(exercise.absorbed) == pairs - tested
     for one in exercise.absorbed:
         verdict = judge(table, exercise.make_wrong((one.first, one.second)))
         assert verdict.misconception in (one.first, one.second), one
@@ -154,6 +158,13 @@ def shift_values(part, value, amount):
     if part.dtype == "int":
         return value + round(amount)
     return value.astype(np.float64) + amount
+
+
+def test_some_parts_have_a_tolerance_and_some_a_share():
+    # or the two tests below would pass by finding nothing
+    parts = [part for exercise in load_exercises().values() for part in exercise.parts]
+    assert sum(part.atol > 0 for part in parts) > len(load_exercises()) / 2
+    assert sum(part.share > 0 for part in parts) > 2
 
 
 @pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])
