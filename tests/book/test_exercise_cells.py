@@ -209,6 +209,7 @@ import { readFileSync } from "node:fs";
 import vm from "node:vm";
 const [, script] = process.argv;
 globalThis.window = globalThis;
+globalThis.document = new EventTarget(); // who hears of a change is another test's matter
 vm.runInThisContext(readFileSync(script, "utf8"));
 const { parse, merge, text } = window.cameraLab.progress;
 const told = JSON.parse(readFileSync(0)).map((given) => {

@@ -52,7 +52,7 @@ def test_every_picture_says_its_finding_in_words(page):
         r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$", text, re.DOTALL | re.MULTILINE
     )
     for figure in figures:
-        assert re.search(r"^:alt: .{20,}", figure, re.MULTILINE), figure
+        assert re.search(r"^:alt: [^\n]{20,}", figure, re.MULTILINE), figure
     for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
         last = [line for line in cell.splitlines() if line.strip()][-2]
         if re.match(r"(figures\.)?(plot_|visualize_pointcloud)", last):
@@ -177,6 +177,6 @@ def test_the_rules_for_pages_find_what_they_look_for():
         STARTER,
         r"^(?:figures\.)?(?:plot_|visualize_pointcloud)",
         r"^\s*(?:from|import) \w+",
-        r"^:alt: .{20,}",
+        r"^:alt: [^\n]{20,}",
     ):
         assert len(re.findall(pattern, text, re.DOTALL | re.MULTILINE)) > 5, pattern
