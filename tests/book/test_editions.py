@@ -22,7 +22,7 @@ from content.chapters import list_taught
 from content.page_minutes import parse_minutes
 from labutils.checks.table import Part, Raised
 from solutions import load_exercises
-from tests.helpers.chapters import ROOT, get_toc_pages
+from tests.helpers.chapters import ROOT, get_executable_pages, get_toc_pages
 from tools.build import book as build_book
 from tools.build import memory
 from tools.build.edition import EDITIONS, get_edition
@@ -176,9 +176,9 @@ def test_every_page_is_in_the_zip_as_a_notebook_or_as_text(files):
 
 
 def test_notebooks_are_clean_and_name_the_kernel(files):
-    for name, content in files.items():
-        if not name.endswith(".ipynb"):
-            continue
+    contents = [content for name, content in files.items() if name.endswith(".ipynb")]
+    assert len(contents) == len(get_executable_pages())
+    for content in contents:
         notebook = nbformat.reads(content.decode(), as_version=4)
         nbformat.validate(notebook)
         assert notebook.metadata.kernelspec.name == "python3"
@@ -188,6 +188,7 @@ def test_notebooks_are_clean_and_name_the_kernel(files):
 
 
 def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files):
+    read = 0
     for name, content in files.items():
         if name.endswith(".ipynb"):
             cells = nbformat.reads(content.decode(), as_version=4).cells
@@ -196,12 +197,15 @@ def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files):
             text = content.decode()
         else:
             continue
+        read += 1
         assert not re.search(r"^(:::|```)\{|\{(term|ref|eq|numref|doc)\}`", text, re.MULTILINE), (
             name
         )
+    assert read == len(get_toc_pages())
 
 
 def test_links_and_pictures_lead_to_files_of_the_zip(files):
+    followed = set()
     for name, content in files.items():
         if not name.endswith((".ipynb", ".md")):
             continue
@@ -209,6 +213,8 @@ def test_links_and_pictures_lead_to_files_of_the_zip(files):
             target = os.path.normpath(PurePosixPath(name).parent / link)
             if Path(target).suffix in (".md", ".ipynb", ".svg", ".png"):
                 assert Path(target).as_posix() in files, (name, link)
+                followed.add(Path(target).suffix)
+    assert {".md", ".ipynb", ".svg"} <= followed
 
 
 def test_two_zips_are_the_same_to_the_byte(files):
@@ -287,7 +293,6 @@ def test_questions_keep_their_choices_and_fold_their_answers():
     assert "(on the page)" not in text
 
 
-@pytest.mark.slow
 def test_the_zip_runs_on_its_own(tmp_path, files):
     with zipfile.ZipFile(io.BytesIO(make_student.pack(files))) as archive:
         archive.extractall(tmp_path)

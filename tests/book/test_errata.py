@@ -283,7 +283,6 @@ def test_e18_the_cloud_is_in_the_camera_frame(frame):
     assert_page_says("E18", f"{off:.1f} m", f"{rest_mm:.1f} mm")
 
 
-@pytest.mark.slow
 def test_e19_a_ply_file_needs_no_open3d(tmp_path):
     code = (
         "import sys; sys.modules['open3d'] = None\n"

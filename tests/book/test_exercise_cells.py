@@ -11,9 +11,18 @@ from docutils.frontend import get_default_settings
 from docutils.utils import new_document
 from sphinx.errors import ExtensionError
 
-from labutils.checks.progress import MAX_HINTS, VERSION
+from labutils.checks.progress import (
+    FILE_NAME,
+    MAX_HINTS,
+    VERSION,
+    Progress,
+    Record,
+    save_progress,
+)
 from labutils.checks.table import load_table, read_words
 from tests.book.test_build_config import load
+from tests.helpers.chapters import get_toc_pages
+from tests.helpers.node import run_node
 
 ROOT = Path(__file__).resolve().parents[2]
 HTML = ROOT / "_build" / "html"
@@ -32,7 +41,9 @@ def hook(monkeypatch):
 def pages():
     if not (HTML / "index.html").is_file() or not (HTML / "_static" / "python").is_dir():
         pytest.skip("the book is not built; run `make book` first")
-    return {path.stem: path.read_text() for path in sorted((HTML / "exercises").glob("*.html"))}
+    found = {path.stem: path.read_text() for path in sorted((HTML / "exercises").glob("*.html"))}
+    assert set(found) == {page.name for page in get_toc_pages() if page.parts[0] == "exercises"}
+    return found
 
 
 @pytest.fixture(scope="module")
@@ -131,20 +142,24 @@ def test_every_exercise_has_an_editor_or_a_note(pages):
 
 
 def test_without_scripts_the_exercise_can_be_read(pages):
+    parts = r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>"
     text = "".join(re.sub(r"<[^<>]*>", "", page) for page in pages.values())
     for name in EXERCISES:
         assert f"def {name}(" in text
         assert f'check("{name}", {name})' in text
     for page in pages.values():
-        for element in re.findall(r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>", page):
-            assert "hidden" not in element
+        elements = re.findall(parts, page)
+        assert elements
+        assert not [element for element in elements if "hidden" in element]
 
 
 def test_the_notebook_of_a_note_is_there(pages):
-    for page in pages.values():
-        for note in re.findall(r'class="exercise-note">.*?</p>', page):
-            for link in re.findall(r'href="([^"]+)"', note):
-                assert (HTML / "exercises" / link).is_file()
+    notes = re.findall(r'class="exercise-note">.*?</p>', "".join(pages.values()))
+    assert len(notes) == len(IN_NOTEBOOK) > 0
+    for note in notes:
+        links = re.findall(r'href="([^"]+)"', note)
+        assert links, note
+        assert all((HTML / "exercises" / link).is_file() for link in links), note
 
 
 def test_pages_know_hints_tables_and_titles(data):
@@ -160,6 +175,7 @@ def test_pages_know_hints_tables_and_titles(data):
 
 def test_links_of_verdicts_lead_to_a_place(data):
     for page in data.values():
+        assert page["titles"]
         for link in page["titles"]:
             target, _, anchor = link.partition("#")
             assert f'id="{anchor}"' in (HTML / "exercises" / target).read_text()
@@ -167,7 +183,9 @@ def test_links_of_verdicts_lead_to_a_place(data):
 
 def test_every_asset_a_page_names_is_there(data):
     for page in data.values():
+        assert page["assets"]
         for asset in (*page["assets"], *page["tables"].values()):
+            assert asset["files"]
             for file in asset["files"]:
                 assert (HTML / "exercises" / page["base"] / file).is_file()
     assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
@@ -185,7 +203,39 @@ def test_only_pages_with_exercises_load_the_scripts(pages):
         assert "_static/python" not in path.read_text(), path
 
 
-def test_the_page_counts_hints_and_versions_like_the_library():
-    script = (ROOT / "book" / "_page_python" / "progress.js").read_text()
-    assert f"const MAX_HINTS = {MAX_HINTS};" in script
-    assert f"const VERSION = {VERSION};" in script
+#: Gives texts to the script of the page, which reads them as progress files; tells what it says.
+READ_PROGRESS = """
+import { readFileSync } from "node:fs";
+import vm from "node:vm";
+const [, script] = process.argv;
+globalThis.window = globalThis;
+globalThis.document = new EventTarget(); // who hears of a change is another test's matter
+vm.runInThisContext(readFileSync(script, "utf8"));
+const { parse, merge, text } = window.cameraLab.progress;
+const told = JSON.parse(readFileSync(0)).map((given) => {
+  try {
+    merge(parse(given));
+    return text();
+  } catch (error) {
+    return `refused: ${error.message}`;
+  }
+});
+console.log(JSON.stringify(told));
+"""
+
+
+def test_the_page_counts_hints_and_versions_like_the_library(tmp_path):
+    files = []
+    for hints in (0, MAX_HINTS):
+        save_progress(Progress({"process_depth": Record(attempts=2, hints=hints)}), tmp_path)
+        files.append((tmp_path / FILE_NAME).read_text(encoding="utf-8"))
+    last = files[-1]
+    too_many = last.replace(f'"hints": {MAX_HINTS}', f'"hints": {MAX_HINTS + 1}')
+    newer = last.replace(f'"version": {VERSION}', f'"version": {VERSION + 1}')
+    assert len({*files, too_many, newer}) == 4
+    script = ROOT / "book" / "_page_python" / "progress.js"
+    given = json.dumps([*files, too_many, newer])
+    told = json.loads(run_node(READ_PROGRESS, str(script), given=given))
+    assert told[:2] == files  # read, and written as the library writes
+    assert told[2] == 'refused: what it says of "process_depth" is no record'
+    assert told[3] == f"refused: its version is not {VERSION}"

@@ -39,6 +39,7 @@ def write(folder, *entries):
 
 
 def test_every_chapter_with_questions_shows_its_own():
+    assert PAGES
     for page in PAGES:
         text = (ROOT / "book" / f"{page}.md").read_text(encoding="utf-8")
         assert re.findall(r"^```\{quiz\} (.+)$", text, re.MULTILINE) == [page]
@@ -195,7 +196,6 @@ def page(tmp_path_factory):
     return (folder / "out" / "index.html").read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
 def test_questions_are_groups_of_radio_buttons_with_a_legend(page):
     outline, items = Outline(page), PAGES["step2_intrinsics"]
     assert len(outline.get("fieldset")) == len(outline.get("legend")) == len(items)
@@ -207,7 +207,6 @@ def test_questions_are_groups_of_radio_buttons_with_a_legend(page):
     assert parents == {("fieldset", "label")}
 
 
-@pytest.mark.slow
 def test_feedback_is_announced_and_unfolds_without_a_script(page):
     outline, items = Outline(page), PAGES["step2_intrinsics"]
     assert [div["aria-live"] for div in outline.get("div", "quiz-feedback")] == ["polite"] * 5
@@ -222,7 +221,6 @@ def test_feedback_is_announced_and_unfolds_without_a_script(page):
     assert links == [(item.section, f"About {item.section}") for item in items]
 
 
-@pytest.mark.slow
 def test_the_page_says_which_choice_is_right_and_pages_can_link_to_it(page):
     forms = Outline(page).get("form", "quiz-item")
     expected = [(f"quiz-{i.id}", str(i.right_index)) for i in PAGES["step2_intrinsics"]]
@@ -231,7 +229,6 @@ def test_the_page_says_which_choice_is_right_and_pages_can_link_to_it(page):
     assert "Body." not in page
 
 
-@pytest.mark.slow
 def test_a_page_without_questions_fails_the_build(tmp_path):
     done = build(tmp_path, "# Page\n\n```{quiz} nowhere\n```\n")
     assert done.returncode != 0

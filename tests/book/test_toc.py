@@ -55,7 +55,7 @@ def test_every_picture_says_its_finding_in_words(page):
         r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$", text, re.DOTALL | re.MULTILINE
     )
     for figure in figures:
-        assert re.search(r"^:alt: .{20,}", figure, re.MULTILINE), f"{NO_ALT}: {figure}"
+        assert re.search(r"^:alt: [^\n]{20,}", figure, re.MULTILINE), f"{NO_ALT}: {figure}"
     for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
         last = [line for line in cell.splitlines() if line.strip()][-2]
         if re.match(r"(figures\.)?(plot_|visualize_pointcloud)", last):
@@ -116,6 +116,7 @@ def test_every_exercise_page_belongs_to_a_chapter():
 def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter):
     text = read(chapter.exercises)
     cards = [one for one in load_exercises().values() if one.chapter == chapter.id]
+    assert cards, chapter.id
     for card in cards:
         label = f"(exercise-{card.name.replace('_', '-')})=\n## "
         _, _, tail = text.partition(label)
@@ -177,3 +178,17 @@ def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
                 "warnings",
             }
             assert name in allowed or standard, f"cells may not import {name}"
+
+
+def test_the_rules_for_pages_find_what_they_look_for():
+    # or a change of the markup would make the tests above pass by finding nothing
+    text = "\n".join(read(page) for page in PAGES)
+    for pattern in (
+        r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$",
+        r"^```\{code-cell\}.*?^```$",
+        STARTER,
+        r"^(?:figures\.)?(?:plot_|visualize_pointcloud)",
+        r"^\s*(?:from|import) \w+",
+        r"^:alt: [^\n]{20,}",
+    ):
+        assert len(re.findall(pattern, text, re.DOTALL | re.MULTILINE)) > 5, pattern

@@ -110,6 +110,17 @@ export async function pagesOfContents(browser, site) {
   return [...new Set(names)].map((name) => name.replace(/\.html$/, ""));
 }
 
+/** Does `work(name)` for every name, some at once; returns {name: what it returned}. */
+export async function forEach(names, atOnce, work) {
+  const results = {};
+  const queue = [...names];
+  const worker = async () => {
+    for (let name = queue.shift(); name; name = queue.shift()) results[name] = await work(name);
+  };
+  await Promise.all(Array.from({ length: atOnce }, worker));
+  return results;
+}
+
 /** Runs `work(browser, ...arguments)` in a fresh browser and prints its result as JSON. */
 export async function main(work) {
   const browser = await launch();

@@ -1,31 +1,23 @@
 // node axe.mjs SITE PAGE...: has axe-core look at every page, in both themes, with what is
-// folded opened, and prints {page: {theme: [finding]}}.
+// folded opened, and prints {page: {themes: {theme: [finding]}, complaints}}.
 
 import { readFileSync } from "node:fs";
 
-import { close, main, openPage, require } from "./_browser.mjs";
+import { close, forEach, main, openPage, require } from "./_browser.mjs";
 
 const THEMES = ["light", "dark"];
 const GRAVE = ["serious", "critical"];
 const TABS_AT_ONCE = 2;
 const source = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
-await main(async (browser, site, ...names) => {
-  const results = {};
-  const queue = [...names];
-  const worker = async () => {
-    for (let name = queue.shift(); name; name = queue.shift()) {
-      results[name] = await audit(browser, site, name);
-    }
-  };
-  await Promise.all(Array.from({ length: TABS_AT_ONCE }, worker));
-  return results;
-});
+await main((browser, site, ...names) =>
+  forEach(names, TABS_AT_ONCE, (name) => audit(browser, site, name)),
+);
 
 /** Audits one page in both themes; the page follows what the reader's system asks for. */
 async function audit(browser, site, name) {
   const tab = await openPage(browser, site, name, { colorScheme: THEMES[0] });
-  const { page } = tab;
+  const { page, complaints } = tab;
   await page.evaluate(() => {
     for (const folded of document.querySelectorAll("main details")) folded.open = true;
   });
@@ -36,8 +28,9 @@ async function audit(browser, site, name) {
     await page.waitForFunction((wanted) => document.documentElement.dataset.theme === wanted, theme);
     audits[theme] = await page.evaluate(runAxe, GRAVE);
   }
+  const result = { themes: audits, complaints: [...complaints] };
   await close(tab);
-  return audits;
+  return result;
 }
 
 /** Runs in the page: what axe-core finds that a reader could not work around. */

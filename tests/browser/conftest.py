@@ -61,7 +61,7 @@ def http_site(student_pages: Path) -> Iterator[str]:
         yield address
 
 
-@pytest.fixture(scope="session", params=["file", "http"])
+@pytest.fixture(scope="session", params=browser.PROTOCOLS)
 def site(request: pytest.FixtureRequest) -> str:
     """Both addresses, one after the other."""
     return request.getfixturevalue(f"{request.param}_site")

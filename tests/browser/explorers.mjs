@@ -1,13 +1,19 @@
-// node explorers.mjs SITE PAGE: uses every explorer of a page as a reader would, with the keyboard,
-// and prints what it said. test_explorers.py says what is right.
+// node explorers.mjs SITE PAGE...: uses every explorer of the pages as a reader would, with the
+// keyboard, and prints {page: what they said}. test_explorers.py says what is right.
 
-import { close, main, newPage, openPage, waitForFrames } from "./_browser.mjs";
+import { close, forEach, main, newPage, openPage, waitForFrames } from "./_browser.mjs";
 
 const SPEAK_MS = 1500; // longer than an explorer waits before it speaks
 const CHANGE_MS = 800;
 const LONGEST = 5000;
 
-await main(async (browser, site, name) => {
+const TABS_AT_ONCE = 2; // an explorer mostly waits before it speaks
+
+await main((browser, site, ...names) =>
+  forEach(names, TABS_AT_ONCE, (name) => visit(browser, site, name)),
+);
+
+async function visit(browser, site, name) {
   const tab = await openPage(browser, site, name);
   const { page, complaints } = tab;
   const explorers = [];
@@ -23,7 +29,7 @@ await main(async (browser, site, name) => {
   const withoutScripts = await countShown(plain.page);
   await close(plain);
   return { explorers, printed, withoutScripts, complaints: [...complaints] };
-});
+}
 
 /** How many posters and how many explorers are to be seen. */
 function countShown(page) {

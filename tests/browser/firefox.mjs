@@ -58,6 +58,7 @@ async function inspect(widgets) {
   const { scrollWidth, clientWidth } = document.documentElement;
   return {
     tooWide: scrollWidth - clientWidth,
+    pictures: images.length,
     views: document.querySelectorAll(widgets.views).length,
     drawn: document.querySelectorAll(widgets.count).length,
     formulas: document.querySelectorAll(".math").length,

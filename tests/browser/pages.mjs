@@ -4,23 +4,15 @@
 import { promisify } from "node:util";
 import { gzip } from "node:zlib";
 
-import { close, DESKTOP, loadPictures, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
+import { close, DESKTOP, forEach, loadPictures, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
 
 const packed = promisify(gzip);
 const TABS_AT_ONCE = 3; // a page mostly waits
 const MOST_STOPS = 200; // of the Tab key, before the article
 
-await main(async (browser, site, ...names) => {
-  const results = {};
-  const queue = [...names];
-  const worker = async () => {
-    for (let name = queue.shift(); name; name = queue.shift()) {
-      results[name] = await visit(browser, site, name);
-    }
-  };
-  await Promise.all(Array.from({ length: TABS_AT_ONCE }, worker));
-  return results;
-});
+await main((browser, site, ...names) =>
+  forEach(names, TABS_AT_ONCE, (name) => visit(browser, site, name)),
+);
 
 async function visit(browser, site, name) {
   const tab = await newPage(browser, site, { viewport: NARROW });

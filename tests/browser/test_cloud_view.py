@@ -19,8 +19,6 @@ KINDS = ("webgl2", "2d")
 #: pixel, in one of a thousand here. Without a depth test it is 9 to 17 of a thousand.
 MAX_DIFFERENT = 0.004
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def explorer():

@@ -14,8 +14,6 @@ from labutils import hint
 from labutils.checks.progress import Progress, Record, load_progress, save_progress
 from labutils.checks.table import read_words
 
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = "exercises/step3_depth"
 PACKED = ROOT / "_build" / "page_python" / "python"
@@ -109,6 +107,7 @@ def test_stop_before_python_stands_says_so(used):
 
 
 def test_checks_that_are_asked_while_python_loads_wait_for_it(used):
+    assert len(used["queued"]) == 2
     for said in used["queued"]:
         assert "Not started yet." in said["text"]
 
@@ -160,7 +159,9 @@ def test_the_keyboard_is_enough(used):
 
 def test_bad_files_are_refused_with_their_reason_and_change_nothing(used):
     reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 4)
-    for seen, reason in zip(used["imports"], reasons, strict=False):
+    refused, taken = used["imports"][: len(reasons)], used["imports"][len(reasons) :]
+    assert len(taken) == 2
+    for seen, reason in zip(refused, reasons, strict=True):
         assert "is no progress file: " in seen["said"]
         assert reason in seen["said"]
         assert "Nothing was changed." in seen["said"]

@@ -17,8 +17,6 @@ from labutils.checks.table import load_table
 from solutions import load_exercises
 from tools.vendor.pack_python import list_page_exercises
 
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = {card.chapter for card in load_exercises().values()}
 CARDS = {name: load_exercises()[name] for name in list_page_exercises()}
@@ -69,10 +67,19 @@ def plan(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module", params=sorted(CHAPTERS))
-def used(request, chromium, file_site, plan, page_python):  # noqa: ARG001 - what it needs to run
+#: The page that runs in `make test`: most exercises, and answers of most kinds.
+SAMPLE = "step5"
+PARAMETERS = [
+    one if one == SAMPLE else pytest.param(one, marks=pytest.mark.slow) for one in sorted(CHAPTERS)
+]
+
+
+@pytest.fixture(scope="module", params=PARAMETERS)
+def used(request, chromium, file_site, plan, page_python, once):  # noqa: ARG001 - needed to run
     """One page with all its exercises, opened from a file."""
-    return request.param, chromium("exercises.mjs", file_site, page_of(request.param), plan)
+    page = page_of(request.param)
+    make = lambda: chromium("exercises.mjs", file_site, page, plan)  # noqa: E731
+    return request.param, once(f"exercises-{request.param}", make)
 
 
 def page_of(chapter):
@@ -101,6 +108,7 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
 
 def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
     _, done = used
+    assert done["said"]
     for name, said in done["said"].items():
         wrong = CARDS[name].make_wrong((CARDS[name].misconceptions[0].name,))
         drawn = judge(load_table(name), wrong).picture is not None

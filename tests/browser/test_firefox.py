@@ -29,14 +29,17 @@ def pages_to_open(folder):
     return list(dict.fromkeys([*PAGES, *with_widgets]))
 
 
-@pytest.fixture(scope="module", params=["file", "http"])
+@pytest.fixture(scope="module", params=browser.PROTOCOLS)
 def visits(request, firefox, student_pages, once):
     """What a visitor with Firefox finds: {page: findings}."""
     site = request.getfixturevalue(f"{request.param}_site")
-    return once(
-        f"firefox-{request.param}",
-        lambda: firefox("firefox.mjs", site, *pages_to_open(student_pages)),
-    )
+    pages = pages_to_open(student_pages)
+    seen = once(f"firefox-{request.param}", lambda: firefox("firefox.mjs", site, *pages))
+    assert set(seen) == set(pages)
+    # or a changed class name would make the tests below pass by finding nothing
+    for thing in ("pictures", "views", "formulas"):
+        assert any(visit[thing] for visit in seen.values()), thing
+    return seen
 
 
 def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits):

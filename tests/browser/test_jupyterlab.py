@@ -92,7 +92,6 @@ def agree(seen):
     return to_degrees(seen["python"]["fov_y"]) == pytest.approx(seen["page"]["fov_y_deg"])
 
 
-@pytest.mark.slow
 def test_python_reads_where_the_slider_was_dragged(seen):
     assert seen["dragged"]["page"]["fov_y_deg"] > seen["before"]["page"]["fov_y_deg"] + 5
     assert agree(seen["before"])
@@ -100,19 +99,16 @@ def test_python_reads_where_the_slider_was_dragged(seen):
     assert seen["dragged"]["python"]["f"] < seen["before"]["python"]["f"]
 
 
-@pytest.mark.slow
 def test_arrow_keys_move_the_slider_and_not_the_notebook(seen):
     moved = seen["pressed"]["page"]["fov_y_deg"] - seen["dragged"]["page"]["fov_y_deg"]
     assert moved == pytest.approx(1.0)  # two steps of half a degree
     assert agree(seen["pressed"])
 
 
-@pytest.mark.slow
 def test_reset_reaches_python_too(seen):
     assert seen["reset"]["python"]["fov_y"] == pytest.approx(seen["before"]["python"]["fov_y"])
     assert agree(seen["reset"])
 
 
-@pytest.mark.slow
 def test_the_slider_has_a_name_there_too(seen):
     assert seen["name"] == "fov_y (°)"

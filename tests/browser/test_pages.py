@@ -7,7 +7,8 @@ import pytest
 from tests.helpers import browser
 
 
-@pytest.fixture(scope="module", params=["file", "http"])
+# As files, test_accessibility.py opens every page too, and listens for errors.
+@pytest.fixture(scope="module", params=[pytest.param("file", marks=pytest.mark.slow), "http"])
 def visits(request, chromium, once):
     """What a first visitor with a phone finds on every page: {page: findings}."""
     site = request.getfixturevalue(f"{request.param}_site")

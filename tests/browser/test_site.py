@@ -7,7 +7,7 @@ import pytest
 from tests.helpers import browser
 
 
-@pytest.fixture(scope="module", params=["file", "http"])
+@pytest.fixture(scope="module", params=browser.PROTOCOLS)
 def used(request, chromium, once):
     """What happened when a reader used the site."""
     site = request.getfixturevalue(f"{request.param}_site")

@@ -83,8 +83,11 @@ def test_checks_need_neither_mujoco_nor_matplotlib():
 def test_without_mujoco_every_other_exercise_is_checked(monkeypatch):
     monkeypatch.setitem(sys.modules, "mujoco", None)
     monkeypatch.delitem(sys.modules, "labutils.checks.scenes", raising=False)
+    seen = set()
     for name in read_words():
         table = load_table(name)
         verdict = judge(table, lambda *_: 0.5)
         due = "not checked" if table.needs_mujoco else "failed"
         assert verdict.result == due, name
+        seen.add(due)
+    assert seen == {"not checked", "failed"}

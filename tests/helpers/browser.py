@@ -28,6 +28,8 @@ from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "tests" / "browser"
+#: Ways to open the pages. A file is the stricter one: it may read no other file by a script.
+PROTOCOLS = ["file", pytest.param("http", marks=pytest.mark.slow)]
 
 
 def give_up(reason: str) -> NoReturn:

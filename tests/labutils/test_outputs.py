@@ -198,7 +198,6 @@ def test_open3d_reads_the_point_cloud_back(tmp_path, cloud):
 # --- from a shell ---
 
 
-@pytest.mark.slow
 def test_the_command_writes_the_files_and_says_where(tmp_path):
     run = run_lab(tmp_path / "out", *SIZE)
     assert run.returncode == 0, run.stderr
@@ -206,7 +205,6 @@ def test_the_command_writes_the_files_and_says_where(tmp_path):
     assert all((tmp_path / "out" / name).stat().st_size for name in FIVE_FILES)
 
 
-@pytest.mark.slow
 def test_the_command_reports_a_wrong_camera_in_one_line(tmp_path):
     run = run_lab(tmp_path, "--camera", "nose", *SIZE)
     assert run.returncode == 1
@@ -217,7 +215,6 @@ def test_the_command_reports_a_wrong_camera_in_one_line(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.slow
 def test_without_opengl_all_files_come_with_one_notice_and_exact_depth(tmp_path):
     run = run_lab(tmp_path, *SIZE, MUJOCO_GL="disable")
     assert run.returncode == 0, run.stderr

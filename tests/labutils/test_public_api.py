@@ -99,7 +99,6 @@ def test_modules_stay_small(path):
     assert len(path.read_text(encoding="utf-8").splitlines()) <= 300
 
 
-@pytest.mark.slow
 def test_importing_the_library_is_light_and_needs_no_mujoco():
     # The browser has NumPy and OpenCV, and nothing else.
     code = """

@@ -192,7 +192,6 @@ def test_an_empty_model_is_all_sky_for_the_ray_caster():
     assert np.ptp(renderer.render().reshape(-1, 3), axis=0).max() == 0
 
 
-@pytest.mark.slow
 def test_headless_linux_chooses_egl_and_a_users_choice_wins():
     code = "import labutils, os; print(os.environ.get('MUJOCO_GL'))"
     if sys.platform.startswith("linux"):
@@ -201,7 +200,6 @@ def test_headless_linux_chooses_egl_and_a_users_choice_wins():
     assert run_python(code, MUJOCO_GL="disable").stdout.strip() == "disable"
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(
     not sys.platform.startswith("linux") or bool(rendering._find_missing_libraries()),
     reason="only EGL, on Linux, draws without a screen",
@@ -220,7 +218,6 @@ print(type(renderer).__module__, render_raw_depth(model, data, renderer, 'head_c
     assert done.stderr == ""
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("gone", "named"), [("EGL", "libEGL.so.1"), ("OpenGL GLESv2", "libOpenGL.so.0")]
 )
@@ -240,7 +237,6 @@ print(type(make_renderer(model, 24, 32)).__name__)
     assert f"not installed: {named}" in done.stderr
 
 
-@pytest.mark.slow
 def test_a_driver_that_fails_hands_over_with_its_own_words():
     code = """
 import labutils, mujoco

@@ -1,6 +1,7 @@
 """The tests of the tests: what every card has to prove of itself."""
 
 import itertools
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +23,10 @@ from solutions import QUALITY_POINTS, load_exercises
 ROOT = Path(__file__).resolve().parents[2]
 #: With one case, a constant would pass.
 MIN_VISIBLE = 2
+SEEDS = [
+    pytest.param(range(3), id="3 seeds"),
+    pytest.param(range(3, 20), id="17 more", marks=pytest.mark.slow),
+]
 
 
 def count_right(table, answers):
@@ -39,8 +44,9 @@ def test_reference_passes_the_shipped_table(exercise, table):
     assert judge(table, exercise.reference).passed
 
 
-def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table):
-    for seed in range(20):
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+    for seed in seeds:
         hidden = hidden_table(seed)
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(()))) is None
 
@@ -78,8 +84,9 @@ def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
         assert verdict.failed_gate is not None
 
 
-def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table):
-    for seed in range(20):
+@pytest.mark.parametrize("seeds", SEEDS)
+def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+    for seed in seeds:
         hidden = hidden_table(seed)
         for mistake in exercise.misconceptions:
             answers = collect_answers(hidden, exercise.make_wrong((mistake.name,)))
@@ -87,14 +94,17 @@ def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table):
             assert failure, f"{mistake.name} passes the hidden cases of seed {seed}"
 
 
-def test_every_pair_fails_hidden_cases(exercise, hidden_table):
-    for seed in range(2):
-        hidden = hidden_table(seed)
-        for made in exercise.get_combinations():
-            assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
+@pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
+def test_every_pair_fails_hidden_cases(exercise, hidden_table, seed):
+    hidden = hidden_table(seed)
+    for made in exercise.get_combinations():
+        assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
 
 
 def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
+    pairs = math.comb(len(exercise.misconceptions), 2)
+    tested = sum(len(made) == 2 for made in exercise.get_combinations())
+    assert len(exercise.absorbed) == pairs - tested
     for one in exercise.absorbed:
         verdict = judge(table, exercise.make_wrong((one.first, one.second)))
         assert verdict.misconception in (one.first, one.second), one
@@ -137,6 +147,13 @@ def test_answer_of_another_case_scores_0(table):
     shifted = (*table.expected[1:], table.expected[0])
     assert find_failure(table, shifted)
     assert count_right(table, shifted) == 0
+
+
+def test_some_parts_have_a_tolerance_and_some_a_share():
+    # or the two tests below would pass by finding nothing
+    parts = [part for exercise in load_exercises().values() for part in exercise.parts]
+    assert sum(part.atol > 0 for part in parts) > len(load_exercises()) / 2
+    assert sum(part.share > 0 for part in parts) > 2
 
 
 @pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])

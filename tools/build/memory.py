@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from tools import ROOT
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Mapping
 
     from tools.build.edition import Edition
 
@@ -79,9 +79,8 @@ class Memory:
         """Empty the memories whose sources have changed; return what was done, in words."""
         old, built = _read(self.stamps), _read(self.built)
         self.built.unlink(missing_ok=True)
-        variables = [f"{name}={os.environ.get(name, '')}" for name in CELL_VARIABLES]
         new = {
-            "cells": digest(CELL_SOURCES, [sys.version, *variables]),
+            "cells": make_cell_stamp(os.environ),
             "pages": digest((*PAGE_SOURCES, *self.edition.sources)),
         }
         done = []
@@ -115,6 +114,12 @@ class Memory:
                 now = path.stat()
                 found.update(f"{path}\0{now.st_size}\0{now.st_mtime_ns}\0".encode())
         return found.hexdigest()
+
+
+def make_cell_stamp(environment: Mapping[str, str]) -> str:
+    """Hash what the outputs of cells depend on besides the cells, in an environment."""
+    variables = [f"{name}={environment.get(name, '')}" for name in CELL_VARIABLES]
+    return digest(CELL_SOURCES, [sys.version, *variables])
 
 
 def digest_sources() -> str:
