@@ -21,8 +21,8 @@ nbclient.exceptions.CellExecutionError: An error occurred while executing the fo
 1 / 0
 ZeroDivisionError: division by zero
 
-The above exception was the direct cause of the following exception:
-Traceback of Sphinx
+Extension error (side_by_side):
+Handler of Sphinx
 """
 
 
@@ -188,7 +188,7 @@ def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
         (
             CELL_ERROR_LOG,
             "ZeroDivisionError: division by zero",
-            "Traceback of Sphinx",
+            "Handler of Sphinx",
         ),
         (
             "book/start.md:3: WARNING: unknown document: 'nowhere'\nbuild finished\n",

@@ -1,6 +1,5 @@
 """A build without changes does nothing; after a change, what depends on it is made again."""
 
-import json
 import os
 import re
 import shutil
@@ -180,14 +179,6 @@ def test_a_build_that_failed_is_not_taken_for_one_that_stands(built, repository)
     assert not Memory(built).is_up_to_date()
 
 
-def test_pages_that_want_for_wheels_are_built_again(built, repository):
-    write(repository, "_build/page_python.json", json.dumps({"remote": [{"name": "numpy"}]}))
-    now = Memory(built)
-    now.forget_what_changed()
-    now.note_built()
-    assert not Memory(built).is_up_to_date()
-
-
 def test_the_editions_are_told_apart(built):
     instructor = EDITIONS["instructor"]
     instructor.build.mkdir(parents=True)
@@ -269,11 +260,13 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
     write(tmp_path, "book/two.md", f"# Two\n\n{places}```{{quiz}} two\n```\n")
     write(tmp_path, "exercises/concepts/two.yml", question)
 
+    no_network = {"https_proxy": "http://127.0.0.1:9", memory.OUTSIDE: ""}  # to load wheels from
+
     def run_build():
         return subprocess.run(
             [sys.executable, "-m", "tools.build.book"],
             cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"},
+            env={**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"} | no_network,
             capture_output=True,
             text=True,
             check=False,
@@ -305,7 +298,7 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
     assert "book/one.md: WARNING: Executing notebook failed: CellExecutionError" in done.stderr
     assert "ZeroDivisionError: division by zero" in done.stderr
     assert "print(6 / 0)" in done.stderr
-    assert "Traceback of" not in done.stderr
+    assert "Extension error" not in done.stderr
     assert run_build().returncode  # and it stays one
 
 
