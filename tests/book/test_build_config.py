@@ -21,9 +21,15 @@ nbclient.exceptions.CellExecutionError: An error occurred while executing the fo
 1 / 0
 ZeroDivisionError: division by zero
 
-Extension error (side_by_side):
+The above exception was the direct cause of the following exception:
+Traceback of Sphinx
+"""
+CELL_ERROR_IN_HOOK = (
+    CELL_ERROR_LOG.partition("The above")[0]
+    + """Extension error (side_by_side):
 Handler of Sphinx
 """
+)
 
 
 def load(path, monkeypatch):
@@ -188,8 +194,9 @@ def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
         (
             CELL_ERROR_LOG,
             "ZeroDivisionError: division by zero",
-            "Handler of Sphinx",
+            "Traceback of Sphinx",
         ),
+        (CELL_ERROR_IN_HOOK, "ZeroDivisionError: division by zero", "Handler of Sphinx"),
         (
             "book/start.md:3: WARNING: unknown document: 'nowhere'\nbuild finished\n",
             "unknown document: 'nowhere'",
