@@ -120,6 +120,7 @@ def keep(page: Page, result: ExecutionResult, cache: JupyterCacheAbstract) -> No
         logger.warning(
             "Executing notebook failed: %s [mystnb.exec]", kind, location=page.name, type="mystnb"
         )
+        logger.info("%s", result.exc_string)  # Sphinx tells no more of an error in a hook
         raise ExecutionError(str(page.path)) from result.err
     read = {"read_data": page.read_fmt} if page.read_fmt else {}
     record = cache.add_nb_to_project(str(page.path), **read)

@@ -24,6 +24,12 @@ ZeroDivisionError: division by zero
 The above exception was the direct cause of the following exception:
 Traceback of Sphinx
 """
+CELL_ERROR_IN_HOOK = (
+    CELL_ERROR_LOG.partition("The above")[0]
+    + """Extension error (side_by_side):
+Handler of Sphinx
+"""
+)
 
 
 def load(path, monkeypatch):
@@ -190,6 +196,7 @@ def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
             "ZeroDivisionError: division by zero",
             "Traceback of Sphinx",
         ),
+        (CELL_ERROR_IN_HOOK, "ZeroDivisionError: division by zero", "Handler of Sphinx"),
         (
             "book/start.md:3: WARNING: unknown document: 'nowhere'\nbuild finished\n",
             "unknown document: 'nowhere'",

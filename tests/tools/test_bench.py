@@ -40,9 +40,7 @@ def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(monkeypatch, cap
 
     monkeypatch.setattr(checks, "measure", Slow())
     assert checks.main(["--rounds", "1"]) == 0
-    said = capsys.readouterr().out
-    assert "right 5000.0 / 10000.0 (10000 ms)" in said
-    assert "slowest check: 5000.0 times the right answer" in said
+    assert "right 5000.0 / 10000.0 (10000 ms)" in capsys.readouterr().out
 
 
 def test_a_check_is_compared_with_peers_that_do_something():

@@ -1,12 +1,8 @@
 """A build without changes does nothing; after a change, what depends on it is made again."""
 
-import json
 import os
-import re
-import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -18,12 +14,6 @@ from tools.build.memory import Memory
 ROOT = Path(__file__).resolve().parents[2]
 
 PAGE = "book/step3_depth.md"
-TOP = """---
-jupytext:
-  text_representation: {extension: .md, format_name: myst}
-kernelspec: {display_name: Python 3, language: python, name: python3}
----
-"""
 # what a build reads, one of each kind
 SOURCES = (
     PAGE,
@@ -180,14 +170,6 @@ def test_a_build_that_failed_is_not_taken_for_one_that_stands(built, repository)
     assert not Memory(built).is_up_to_date()
 
 
-def test_pages_that_want_for_wheels_are_built_again(built, repository):
-    write(repository, "_build/page_python.json", json.dumps({"remote": [{"name": "numpy"}]}))
-    now = Memory(built)
-    now.forget_what_changed()
-    now.note_built()
-    assert not Memory(built).is_up_to_date()
-
-
 def test_the_editions_are_told_apart(built):
     instructor = EDITIONS["instructor"]
     instructor.build.mkdir(parents=True)
@@ -248,65 +230,6 @@ def test_the_question_whether_to_build_loads_no_library():
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
     assert done.stdout.split() == ["False", "False"]
-
-
-@pytest.mark.slow
-def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
-    # one page with a cell, one with a question, in a copy of everything else
-    ignored = shutil.ignore_patterns(
-        "_build", "outputs", ".*", "tests", "__pycache__", "*.egg-info", "pages"
-    )
-    shutil.copytree(ROOT, tmp_path, dirs_exist_ok=True, ignore=ignored)
-    for name in ("vendor", "vendor_python"):
-        if not (ROOT / "_build" / name).is_dir():
-            pytest.skip("the front end is not there; run `make book` first")
-        shutil.copytree(ROOT / "_build" / name, tmp_path / "_build" / name)
-    write(tmp_path, "_toc.yml", "format: jb-book\nroot: book/one\nchapters:\n- file: book/two\n")
-    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 * 7)\n```\n")
-    question = (ROOT / "exercises" / "concepts" / "step3_depth.yml").read_text()
-    labels = sorted(set(re.findall(r"^ *section: (\S+)", question, re.MULTILINE)))
-    places = "".join(f"({label})=\n## {label}\n\n" for label in labels)
-    write(tmp_path, "book/two.md", f"# Two\n\n{places}```{{quiz}} two\n```\n")
-    write(tmp_path, "exercises/concepts/two.yml", question)
-
-    def run_build():
-        return subprocess.run(
-            [sys.executable, "-m", "tools.build.book"],
-            cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": str(tmp_path), "EDITION": "student"},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-
-    def build():
-        started = time.monotonic()
-        done = run_build()
-        assert done.returncode == 0, done.stdout + done.stderr
-        return done.stdout, time.monotonic() - started
-
-    said, whole = build()
-    assert "2 pages read, 1 executed" in said
-    said, again = build()
-    assert "nothing has changed" in said
-    assert again < whole / 3
-    write(tmp_path, "book/one.md", (tmp_path / "book/one.md").read_text().replace("6 * 7", "7 * 7"))
-    assert "1 pages read, 1 executed" in build()[0]
-    assert "49" in (tmp_path / "_build" / "html" / "book" / "one.html").read_text()
-    write(tmp_path, "exercises/concepts/two.yml", f"{question}\n")
-    assert "1 pages read, 0 executed" in build()[0]
-    sheet = tmp_path / "book" / "_static" / "book.css"
-    sheet.write_text(sheet.read_text() + "\n.added { color: red }\n")
-    assert "2 pages read, 0 executed" in build()[0]
-    assert ".added" in (tmp_path / "_build" / "html" / "_static" / "book.css").read_text()
-    write(tmp_path, "book/one.md", f"{TOP}# One\n\n```{{code-cell}}\nprint(6 / 0)\n```\n")
-    done = run_build()
-    assert done.returncode
-    assert "book/one.md: WARNING: Executing notebook failed: CellExecutionError" in done.stderr
-    assert "ZeroDivisionError: division by zero" in done.stderr
-    assert "print(6 / 0)" in done.stderr
-    assert "Traceback of" not in done.stderr
-    assert run_build().returncode  # and it stays one
 
 
 # --- the environment before it ---

@@ -102,17 +102,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--rounds", type=int, default=5, help="turns per check")
     options = parser.parse_args(arguments)
     print(f"a check, times {REFERENCE} / times {PEER} (milliseconds on this machine)")
-    slowest = 0.0
     for name, case in make_large_cases().items():
         times = measure(name, case, options.rounds)
         reference, peer = times.pop(REFERENCE), times.pop(PEER)
-        slowest = max(slowest, *(ms / reference for ms in times.values()))
         cells = [
             f"{label} {ms / reference:.1f} / {ms / peer:.1f} ({ms:.0f} ms)"
             for label, ms in times.items()
         ]
         print(f"{name:<22}{', '.join(cells)}")
-    print(f"slowest check: {slowest:.1f} times {REFERENCE}")
     return 0
 
 

@@ -23,7 +23,8 @@ from tools.build.memory import Memory
 
 COLOR_CODES = re.compile(r"\x1b\[[0-9;]*m")
 CELL_ERROR = re.compile(
-    r"^nbclient\.exceptions\.\w+: .*?(?=^The above exception was|\Z)", re.MULTILINE | re.DOTALL
+    r"^nbclient\.exceptions\.\w+: .*?(?=^The above exception was|^Extension error|\Z)",
+    re.MULTILINE | re.DOTALL,
 )
 COMPLAINT = re.compile(r"\b(WARNING|ERROR|CRITICAL)\b")
 HARMLESS = "Kernel is running over TCP without encryption"  # ipykernel, on the loopback

@@ -70,10 +70,9 @@ class Memory:
         return built.get("sources") == self.sources and built.get("pages") == self._list_pages()
 
     def note_built(self) -> None:
-        """Remember that the pages stand, unless a next build might find what this one did not."""
-        if not has_remote_wheels():
-            noted = {"sources": self.sources, "pages": self._list_pages()}
-            self.built.write_text(json.dumps(noted), encoding="utf-8")
+        """Remember that the pages stand, and what they were made from."""
+        noted = {"sources": self.sources, "pages": self._list_pages()}
+        self.built.write_text(json.dumps(noted), encoding="utf-8")
 
     def forget_what_changed(self) -> str:
         """Empty the memories whose sources have changed; return what was done, in words."""
@@ -149,11 +148,6 @@ def digest(names: Iterable[str], extra: Iterable[str] = ()) -> str:
             if file.is_file() and file.suffix != ".pyc":
                 found.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
     return found.hexdigest()
-
-
-def has_remote_wheels() -> bool:
-    """Whether the pages load NumPy and OpenCV from the network, for want of a source."""
-    return bool(_read(ROOT / "_build" / "page_python.json").get("remote"))
 
 
 def _walk(folder: Path) -> Iterator[Path]:
