@@ -57,7 +57,7 @@ test: book ## run the tests, every page in a browser, every chapter as a noteboo
 
 test-slow: book ## run what is slow by nature: all seeds, scratch copies, other versions
 	@echo "test-slow: needs what \`make test\` needs, and from the package index OpenCV 4.11"
-	@$(RUN) -m pytest -n auto --dist worksteal -m slow --record-slow book/_generated/slow_tests.md
+	@$(RUN) -m pytest -n auto --dist worksteal -m slow --record-slow=book/_generated/slow_tests.md
 
 lint: setup ## check style and types
 	@$(RUN) -m ruff check .
