@@ -54,7 +54,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     npm.install()
     print("a frame, times labutils for the same values (milliseconds on this machine)")
     print(f"{'explorer':<18}{'frames':>7}{'median':>9}{'95 %':>9}{'labutils':>11}  ratio")
-    slowest = 0.0
     for page in find_pages():
         found = headless.run_script(SCRIPT, pages.as_uri() + "/", page, options.rounds)
         views = read_views((pages / f"{page}.html").read_text(encoding="utf-8"))
@@ -62,12 +61,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             times = sorted(one["times"])
             median, late = statistics.median(times), times[int(0.95 * len(times))]
             peer = measure_python(view, one["parameters"])
-            slowest = max(slowest, median / peer)
             print(
                 f"{one['name']:<18}{len(times):>7}{median:>6.1f} ms{late:>6.1f} ms{peer:>8.1f} ms"
                 f"  {median / peer:.2f}"
             )
-    print(f"slowest median frame: {slowest:.2f} times labutils")
     return 0
 
 
