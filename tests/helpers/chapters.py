@@ -73,7 +73,9 @@ def make_clean_environment() -> dict[str, str]:
     dropped = {"DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"}
     environment = {k: v for k, v in os.environ.items() if k not in dropped}
     guard = str(Path(__file__).parent / "no_network")
-    environment["PYTHONPATH"] = guard
+    # A copy of the repository names its own library there, before the installed one.
+    inherited = environment.get("PYTHONPATH")
+    environment["PYTHONPATH"] = os.pathsep.join(filter(None, (guard, inherited)))
     # The warning a debugger would print into every notebook under Python 3.12 and later.
     environment["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"
     return environment
