@@ -32,7 +32,10 @@ def make_clean_environment() -> dict[str, str]:
     """Make an environment without a screen and without the network."""
     dropped = {"DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"}
     environment = {k: v for k, v in os.environ.items() if k not in dropped}
-    environment["PYTHONPATH"] = str(HERE / "no_network")
+    # A copy of the repository names its own library there, before the installed one.
+    inherited = environment.get("PYTHONPATH")
+    guard = str(HERE / "no_network")
+    environment["PYTHONPATH"] = os.pathsep.join(filter(None, (guard, inherited)))
     # The warning a debugger would print into every notebook under Python 3.12 and later.
     environment["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"
     return environment
