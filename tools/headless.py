@@ -46,5 +46,7 @@ def run_script(script: Path, *arguments: object, variables: Mapping[str, str] | 
         env=os.environ | (variables or {}),
     )
     if done.returncode:
-        raise AssertionError(f"{script.name} failed ({done.returncode}):\n{done.stderr[-4000:]}")
+        raise AssertionError(
+            f"{script.name} failed ({done.returncode}):\n{str(done.stderr)[-4000:]}"
+        )
     return json.loads(done.stdout)

@@ -14,6 +14,7 @@ import json
 import sys
 import zipfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -117,7 +118,7 @@ def write(path: Path, content: bytes | None) -> None:
     path.write_bytes(content)
 
 
-def make_table(table: CheckTable) -> tuple[dict, bytes]:
+def make_table(table: CheckTable) -> tuple[dict[str, Any], bytes]:
     """Return the words and the arrays of one exercise."""
     arrays: dict[str, np.ndarray] = {}
     words = {

@@ -101,7 +101,8 @@ def read_notes(root: Path, chapter: Chapter) -> str:
 
 def make_overview(chapters: dict[Chapter, list[Exercise]], minutes: dict[str, Minutes]) -> str:
     """Return the page that stands before the chapters."""
-    rows, extensions = [], []
+    rows: list[str] = []
+    extensions: list[str] = []
     for chapter, exercises in chapters.items():
         time = minutes[chapter.id]
         lab = [one for one in exercises if is_answered_by_library(one)]
