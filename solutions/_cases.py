@@ -153,8 +153,8 @@ def make_scene_text(rng: np.random.Generator) -> str:
 
 def make_render_scene(rng: np.random.Generator, width: int, height: int) -> Scene:
     """Make the arguments model, data and renderer, with joints moved since the last forward."""
-    qpos = (float(rng.uniform(-0.5, -0.25)), float(rng.uniform(0.15, 0.3)))
-    qpos = tuple(round(value, 4) for value in qpos)
+    drawn = (float(rng.uniform(-0.5, -0.25)), float(rng.uniform(0.15, 0.3)))
+    qpos = tuple(round(value, 4) for value in drawn)
     return Scene(make_scene_text(rng), ("model", "data", "renderer"), qpos, width, height)
 
 

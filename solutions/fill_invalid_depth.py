@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import cv2
 import numpy as np
 
 from solutions._cases import make_depth, spoil_depth
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 def fill_invalid_depth(depth_metric: np.ndarray) -> np.ndarray:
@@ -42,7 +45,7 @@ def _answer_with(mistakes: frozenset[str], depth_metric: np.ndarray) -> Any:
     if "zeros-only" in mistakes:
         valid = ~np.isnan(depth_metric) & (depth_metric != 0)
     filled = np.where(valid, depth_metric, np.nan)
-    pick = np.nanmin if "nearest-surface" in mistakes else np.nanmax
+    pick: Callable[..., Any] = np.nanmin if "nearest-surface" in mistakes else np.nanmax
     if "average" in mistakes:
         pick = np.nanmean
     shifts = [(row, column) for row in range(3) for column in range(3)]

@@ -54,7 +54,8 @@ def find_all_objects(
         if low[0] <= high[0]:
             mask = cv2.inRange(hsv, low, high)
         else:
-            mask = cv2.inRange(hsv, low, (179, *high[1:])) | cv2.inRange(hsv, (0, *low[1:]), high)
+            up_to_the_seam = cv2.inRange(hsv, low, (179, *high[1:]))
+            mask = cv2.bitwise_or(up_to_the_seam, cv2.inRange(hsv, (0, *low[1:]), high))
         _, _, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
         found += [
             (int(area), name, (int(left), int(top), int(width), int(height)))

@@ -16,7 +16,7 @@ def nearest_object(
     K: np.ndarray,
     T_world_cam: np.ndarray,
     max_width: float,
-) -> tuple[int, np.ndarray] | tuple[None, None]:
+) -> tuple[int | None, np.ndarray | None]:
     """Choose the nearest object that the hand can take, and say where it is.
 
     Only pixels with a valid depth count (above 0.01 m, below 10 m). The points behind the valid
@@ -45,14 +45,15 @@ def nearest_object(
     position_world : ndarray, float64, (3,), or None
         Its position, moved into the world frame, meters; None where none fits.
     """
-    best_label, best_distance, best_position = None, np.inf, None
+    best_label: int | None = None
+    best_distance, best_position = np.inf, None
     valid = (depth_metric > 0.01) & (depth_metric < 10)
     for label in range(1, labels.max() + 1):
         v, u = np.nonzero(valid & (labels == label))
         z = depth_metric[v, u].astype(np.float64)
         x, y = (u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z
         position = np.array([np.median(x), np.median(y), np.median(z)])
-        distance = np.linalg.norm(position)
+        distance = float(np.linalg.norm(position))
         if np.ptp(x) <= max_width and distance < best_distance:
             best_label, best_distance = label, distance
             best_position = T_world_cam[:3, :3] @ position + T_world_cam[:3, 3]

@@ -46,6 +46,7 @@ def run_script(script: Path, *arguments: object, variables: Mapping[str, str] | 
         env=os.environ | (variables or {}),
     )
     if done.returncode:
-        said = str(done.stderr)[-4000:]
-        raise AssertionError(f"{script.name} failed ({done.returncode}):\n{said}")
+        raise AssertionError(
+            f"{script.name} failed ({done.returncode}):\n{str(done.stderr)[-4000:]}"
+        )
     return json.loads(done.stdout)

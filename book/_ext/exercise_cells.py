@@ -11,13 +11,16 @@ import re
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
 from labutils.checks.table import load_table, read_words
+
+if TYPE_CHECKING:
+    from sphinx.domains.std import StandardDomain
 
 PACKED = Path("_build", "page_python")  # below the source folder, like the manifest
 MANIFEST = Path("_build", "page_python.json")
@@ -143,7 +146,7 @@ def get_titles(app: Sphinx, names: list[str]) -> dict[str, str]:
     ExtensionError
         If the book has no such section.
     """
-    domain = app.env.get_domain("std")
+    domain = cast("StandardDomain", app.env.get_domain("std"))
     titles = {}
     for name in names:
         words = read_words()[name]

@@ -17,6 +17,7 @@ from pathlib import Path
 from fontTools import subset
 from fontTools.ttLib import TTFont
 from sphinx.application import Sphinx
+from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.util import logging
 
 logger = logging.getLogger(__name__)
@@ -152,7 +153,9 @@ def replace_font_awesome(app: Sphinx, exception: Exception | None) -> None:
 
 def _theme_folder(app: Sphinx) -> Path:
     """Find the static files of the theme that brings Font Awesome."""
-    for folder in app.builder.theme.get_theme_dirs():
+    builder = app.builder
+    assert isinstance(builder, StandaloneHTMLBuilder)  # noqa: S101 - its caller has looked
+    for folder in builder.theme.get_theme_dirs():
         static = Path(folder, "static")
         if (static / "vendor" / "fontawesome").is_dir():
             return static

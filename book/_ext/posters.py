@@ -4,7 +4,7 @@ An explorer gives its poster as PNG next to the widget. Of the two, myst-nb show
 here the picture stays too. ``explorers.css`` hides it where the explorer itself is drawn.
 """
 
-from typing import Any, ClassVar
+from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -19,7 +19,7 @@ class KeepPosters(SphinxPostTransform):
     """Copy the picture of a widget behind it."""
 
     default_priority = 3  # before myst-nb keeps the best form of each output, at 4
-    formats: ClassVar[tuple[str, ...]] = ("html",)
+    formats = ("html",)
 
     def run(self, **_options: Any) -> None:
         """Look at every output that comes in both forms."""

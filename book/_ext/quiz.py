@@ -22,7 +22,8 @@ LETTERS = "ABCD"
 LABEL = "quiz-{}"  # of a question: the id in the page and the name for {ref}
 
 
-class tag(nodes.General, nodes.TextElement):  # noqa: N801 - docutils names nodes in lower case
+# docutils has no types, and names its nodes in lower case
+class tag(nodes.General, nodes.TextElement):  # type: ignore[misc]  # noqa: N801
     """An HTML element that docutils has no node for; links may stand in it, as in a text."""
 
     @classmethod

@@ -28,7 +28,6 @@ from myst_nb.core.execute import ExecutionError
 from myst_nb.core.read import create_nb_reader
 from nbformat import NotebookNode
 from sphinx.application import Sphinx
-from sphinx.environment import BuildEnvironment
 from sphinx.errors import ConfigError
 from sphinx.util import logging
 
@@ -70,8 +69,11 @@ class Page:
             ensure_event_loop().close()  # the one that nbclient has made for this thread
 
 
-def run_pages(_app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
-    """Run those of the pages that Sphinx is about to read which are not in the cache."""
+def run_pages(_app: Sphinx, env: Any, names: list[str]) -> None:
+    """Run those of the pages that Sphinx is about to read which are not in the cache.
+
+    MyST-NB hangs its settings on the environment, whose type does not know them.
+    """
     config = env.mystnb_config
     if config.execution_mode != "cache" or not config.execution_in_temp:
         return
@@ -88,9 +90,7 @@ def run_pages(_app: Sphinx, env: BuildEnvironment, names: list[str]) -> None:
                 keep(running.pop(done), done.result(), cache)
 
 
-def find_pages(
-    env: BuildEnvironment, names: Iterable[str], cache: JupyterCacheAbstract
-) -> Iterator[Page]:
+def find_pages(env: Any, names: Iterable[str], cache: JupyterCacheAbstract) -> Iterator[Page]:
     """Read the pages with cells as MyST-NB does; give those the cache does not have."""
     for name in names:
         path = Path(env.doc2path(name))

@@ -59,9 +59,11 @@ def rename_models(
             for place, old in enumerate(order)
         }
         attributes["body"] = _renamed(attributes["body"], names)
-        context["body"] = VIEW.sub(
-            lambda view, names=names: view[1] + _renamed(view[2], names) + view[3], body
-        )
+        context["body"] = _rename_views(body, names)
+
+
+def _rename_views(body: str, names: dict[str, str]) -> str:
+    return VIEW.sub(lambda view: view[1] + _renamed(view[2], names) + view[3], body)
 
 
 def _renamed(text: str, names: dict[str, str]) -> str:

@@ -83,4 +83,6 @@ def save(ax: Axes, path: Path) -> None:
     """Write the drawing; the same drawing gives the same bytes."""
     # Neither the date nor the version of the tool goes into the file.
     metadata = {"Date": None, "Creator": None}
-    ax.figure.savefig(path, transparent=True, metadata=metadata)
+    figure = ax.figure
+    assert isinstance(figure, Figure)  # noqa: S101 - `make_axes` gave them to a figure of their own
+    figure.savefig(path, transparent=True, metadata=metadata)

@@ -26,7 +26,9 @@ def find_called(*functions: Callable[..., Any]) -> list[Callable[..., Any]]:
     listed: it shows its code itself.
     """
     homes = {"solutions", *map(_get_package, functions)} - {"labutils"}
-    found = [one for one in functions if inspect.isfunction(one) and _get_package(one) in homes]
+    found: list[Callable[..., Any]] = [
+        one for one in functions if inspect.isfunction(one) and _get_package(one) in homes
+    ]
     for one in found:
         for name in _list_names(one.__code__):
             called = one.__globals__.get(name)
