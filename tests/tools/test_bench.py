@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.helpers import browser
+from tools import headless
 from tools.bench import __main__ as every
 from tools.bench import checks, explorers, page_python
 
@@ -54,11 +54,11 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(tmp_path, monkey
     (tmp_path / "index.html").write_text("")
     (tmp_path / "page.html").write_text("")
     found = [{"name": "hsv", "times": [400.0, 500.0, 600.0], "parameters": {}}]
-    monkeypatch.setattr(browser, "STUDENT_PAGES", tmp_path)
-    monkeypatch.setattr(browser, "find_browser", lambda *_: "chromium")
-    monkeypatch.setattr(browser, "run_script", lambda *_: found)
+    monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
+    monkeypatch.setattr(headless, "find_browser", lambda *_: "chromium")
+    monkeypatch.setattr(headless, "run_script", lambda *_: found)
     monkeypatch.setattr(explorers.npm, "install", lambda: "up to date")
-    monkeypatch.setattr(explorers, "PAGES", ["page"])
+    monkeypatch.setattr(explorers, "find_pages", lambda: ["page"])
     monkeypatch.setattr(explorers, "read_views", lambda _: [None])
     monkeypatch.setattr(explorers, "measure_python", lambda *_: 10.0)
     assert explorers.main([]) == 0
@@ -68,7 +68,7 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(tmp_path, monkey
 
 @pytest.mark.parametrize("bench", [explorers, page_python])
 def test_what_could_not_be_measured_is_no_success(bench, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(browser, "STUDENT_PAGES", tmp_path)
+    monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
     monkeypatch.setattr(page_python, "HTML", tmp_path)
     assert bench.main([]) == 1
     assert "not measured" in capsys.readouterr().out
