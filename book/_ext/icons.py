@@ -13,12 +13,15 @@ import hashlib
 import io
 import re
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 
 from fontTools import subset
 from fontTools.ttLib import TTFont
 from sphinx.application import Sphinx
-from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.util import logging
+
+if TYPE_CHECKING:
+    from sphinx.builders.html import StandaloneHTMLBuilder
 
 logger = logging.getLogger(__name__)
 
@@ -153,8 +156,7 @@ def replace_font_awesome(app: Sphinx, exception: Exception | None) -> None:
 
 def _theme_folder(app: Sphinx) -> Path:
     """Find the static files of the theme that brings Font Awesome."""
-    builder = app.builder
-    assert isinstance(builder, StandaloneHTMLBuilder)  # noqa: S101 - its caller has looked
+    builder = cast("StandaloneHTMLBuilder", app.builder)  # its caller has looked
     for folder in builder.theme.get_theme_dirs():
         static = Path(folder, "static")
         if (static / "vendor" / "fontawesome").is_dir():
