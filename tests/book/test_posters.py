@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
+from typing import Any
 
 from docutils import nodes
 from docutils.utils import new_document
@@ -12,7 +13,7 @@ from tests.helpers.scripts import load_script
 HOOK = load_script("book/_ext/posters.py")
 
 
-def keep_posters(*mime_types):
+def keep_posters(*mime_types: str) -> list[Any]:
     """Run the hook on one output with these forms; return what follows the output."""
     document = new_document("page")
     bundle = nodes.container(nb_element="mime_bundle")
@@ -27,12 +28,12 @@ def keep_posters(*mime_types):
     return document[1:-1]
 
 
-def test_the_picture_of_a_widget_follows_it():
+def test_the_picture_of_a_widget_follows_it() -> None:
     (poster,) = keep_posters(HOOK.WIDGET, HOOK.PICTURE)
     assert poster["uri"] == "poster.png"
     assert poster["classes"] == [HOOK.POSTER_CLASS]
 
 
-def test_other_outputs_stay_as_they_are():
+def test_other_outputs_stay_as_they_are() -> None:
     assert keep_posters(HOOK.PICTURE) == []
     assert keep_posters(HOOK.WIDGET) == []

@@ -17,7 +17,7 @@ def audits(chromium, file_site, once):
 
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_page_has_no_serious_barrier(audits, page, theme):
+def test_a_page_has_no_serious_barrier(audits, page, theme) -> None:
     audit = audits[page]["themes"][theme]
     assert audit["theme"] == theme
     said = [f"{finding['rule']}: {finding['places']}" for finding in audit["findings"]]
@@ -25,5 +25,5 @@ def test_a_page_has_no_serious_barrier(audits, page, theme):
 
 
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_page_opens_from_a_file_without_errors(audits, page):
+def test_a_page_opens_from_a_file_without_errors(audits, page) -> None:
     assert audits[page]["complaints"] == []

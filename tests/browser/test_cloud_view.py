@@ -31,7 +31,7 @@ def explorer():
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folder(tmp_path_factory: pytest.TempPathFactory):
     return tmp_path_factory.mktemp("cloud")
 
 
@@ -56,7 +56,7 @@ def make_expected(explorer, report):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_it_draws_with_what_the_browser_has(seen, folder, kind):
+def test_it_draws_with_what_the_browser_has(seen, folder, kind) -> None:
     assert seen[kind]["errors"] == []
     assert seen[kind]["painter"] == kind
     assert 0.15 < find_drawn(read(folder, kind, "start")).mean() < 0.8
@@ -66,14 +66,14 @@ def test_it_draws_with_what_the_browser_has(seen, folder, kind):
 
 @pytest.mark.usefixtures("seen")
 @pytest.mark.parametrize("name", ["start", "camera", "near", "behind"])
-def test_both_ways_of_drawing_show_the_same(folder, name):
+def test_both_ways_of_drawing_show_the_same(folder, name) -> None:
     one, other = (read(folder, kind, name) for kind in KINDS)
     assert one.shape == other.shape
     assert (np.abs(one - other).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.usefixtures("seen")
-def test_the_cameras_view_is_its_picture(folder, explorer):
+def test_the_cameras_view_is_its_picture(folder, explorer) -> None:
     picture = read(folder, "webgl2", "camera")
     rgb = cv2.imdecode(np.frombuffer(explorer.view.rgb_png, np.uint8), cv2.IMREAD_COLOR)
     height, width = picture.shape[:2]
@@ -89,7 +89,7 @@ def test_the_cameras_view_is_its_picture(folder, explorer):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_read_out_tells_what_labutils_computes(seen, explorer, kind):
+def test_the_read_out_tells_what_labutils_computes(seen, explorer, kind) -> None:
     everything = seen[kind]
     reports = [everything["start"], everything["reset"], *everything["settings"]]
     for report in [*reports, *everything["clicks"], everything["pickedByKeys"]]:
@@ -105,7 +105,7 @@ def test_the_read_out_tells_what_labutils_computes(seen, explorer, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_click_picks_the_point_under_it(seen, explorer, kind):
+def test_a_click_picks_the_point_under_it(seen, explorer, kind) -> None:
     T_view_cam = turn_to_view(np.array(explorer.view.T_world_cam))
     hits = [click for click in seen[kind]["clicks"] if click["pixel"]]
     assert len(hits) == 3  # the last one is beside the cloud
@@ -121,20 +121,20 @@ def test_a_click_picks_the_point_under_it(seen, explorer, kind):
         assert str(tuple(click["pixel"])) in click["text"]
 
 
-def test_picks_do_not_depend_on_how_the_cloud_is_drawn(seen):
+def test_picks_do_not_depend_on_how_the_cloud_is_drawn(seen) -> None:
     one, other = ([click["pixel"] for click in seen[kind]["clicks"]] for kind in KINDS)
     assert one == other
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_page_scrolls_unless_the_view_was_clicked(seen, kind):
+def test_the_page_scrolls_unless_the_view_was_clicked(seen, kind) -> None:
     start = seen[kind]["start"]["orbit"]
     assert seen[kind]["wheelUnasked"]["orbit"] == start
     assert seen[kind]["wheelFocused"]["orbit"]["distance"] < start["distance"]
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_drag_walks_around_and_picks_nothing(seen, kind):
+def test_a_drag_walks_around_and_picks_nothing(seen, kind) -> None:
     before, dragged = seen[kind]["wheelFocused"], seen[kind]["dragged"]
     assert dragged["orbit"]["azimuth_deg"] < before["orbit"]["azimuth_deg"] - 10
     assert dragged["orbit"]["elevation_deg"] == before["orbit"]["elevation_deg"]
@@ -145,7 +145,7 @@ def test_a_drag_walks_around_and_picks_nothing(seen, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_keys_and_buttons_walk_around(seen, kind):
+def test_keys_and_buttons_walk_around(seen, kind) -> None:
     keys, start = seen[kind]["keys"], seen[kind]["start"]["orbit"]
     left, up, closer, away, home = (keys[key]["orbit"] for key in keys)
     assert left["azimuth_deg"] == seen[kind]["dragged"]["orbit"]["azimuth_deg"] + 5
@@ -161,23 +161,23 @@ def test_keys_and_buttons_walk_around(seen, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_points_can_be_picked_by_keys_in_the_picture(seen, kind):
+def test_points_can_be_picked_by_keys_in_the_picture(seen, kind) -> None:
     assert seen[kind]["pickedByKeys"]["pixel"] == [321, 250]  # from the middle: right, ten down
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_reset_brings_everything_back(seen, kind):
+def test_reset_brings_everything_back(seen, kind) -> None:
     names = ("fov_y_deg", "far", "color", "pixel", "orbit", "values")
     start, reset = ({name: seen[kind][one][name] for name in names} for one in ("start", "reset"))
     assert reset == start
 
 
 @pytest.mark.usefixtures("seen")
-def test_a_lost_context_falls_back_to_the_canvas(folder):
+def test_a_lost_context_falls_back_to_the_canvas(folder) -> None:
     start, lost = (read(folder, "webgl2", name) for name in ("start", "lost"))
     assert (np.abs(start - lost).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_nothing_is_left_when_the_view_goes(seen, kind):
+def test_nothing_is_left_when_the_view_goes(seen, kind) -> None:
     assert seen[kind]["left"] == {"parts": 0, "listeners": 0, "contextLost": True}

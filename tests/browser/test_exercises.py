@@ -41,7 +41,7 @@ from solutions import load_exercises
 
 
 @pytest.fixture(scope="module")
-def plan(tmp_path_factory):
+def plan(tmp_path_factory: pytest.TempPathFactory):
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted((ROOT / "solutions").glob("*.py")):
@@ -75,7 +75,7 @@ PARAMETERS = [
 
 
 @pytest.fixture(scope="module", params=PARAMETERS)
-def used(request, chromium, file_site, plan, page_python, once):  # noqa: ARG001 - needed to run
+def used(request: pytest.FixtureRequest, chromium, file_site, plan, page_python, once):  # noqa: ARG001 - needed to run
     """One page with all its exercises, opened from a file."""
     page = page_of(request.param)
     make = lambda: chromium("exercises.mjs", file_site, page, plan)  # noqa: E731
@@ -86,7 +86,7 @@ def page_of(chapter):
     return get_chapter(chapter).exercises
 
 
-def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
+def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used) -> None:
     chapter, done = used
     assert done["complaints"] == []
     assert "ready" in done["setup"]["text"]
@@ -106,7 +106,7 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
         assert ".html" not in said["wrong"]["text"]
 
 
-def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
+def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used) -> None:
     _, done = used
     assert done["said"]
     for name, said in done["said"].items():
@@ -115,7 +115,7 @@ def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
         assert said["wrong"]["pictures"] == drawn, name
 
 
-def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  # noqa: ARG001
+def test_from_a_server_python_works_as_well(chromium, http_site, page_python) -> None:  # noqa: ARG001
     done = chromium("exercises.mjs", http_site, page_of("step3"))
     (said,) = done["said"].values()
     assert said["starter"]["result"] == "failed"
@@ -123,7 +123,7 @@ def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  
     assert done["complaints"] == []
 
 
-def test_python_works_in_firefox_too(firefox, site, page_python):  # noqa: ARG001
+def test_python_works_in_firefox_too(firefox, site, page_python) -> None:  # noqa: ARG001
     done = firefox("exercises_firefox.mjs", site, page_of("step3"))
     assert "Not started yet." in done["text"]
     assert done["complaints"] == []

@@ -30,7 +30,7 @@ def pages_to_open(folder):
 
 
 @pytest.fixture(scope="module", params=browser.PROTOCOLS)
-def visits(request, firefox, student_pages, once):
+def visits(request: pytest.FixtureRequest, firefox, student_pages, once):
     """What a visitor with Firefox finds: {page: findings}."""
     site = request.getfixturevalue(f"{request.param}_site")
     pages = pages_to_open(student_pages)
@@ -42,13 +42,13 @@ def visits(request, firefox, student_pages, once):
     return seen
 
 
-def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits):
+def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits) -> None:
     assert {
         page: visit["complaints"] for page, visit in visits.items() if visit["complaints"]
     } == {}
 
 
-def test_firefox_draws_pictures_widgets_formulas_and_icons(visits):
+def test_firefox_draws_pictures_widgets_formulas_and_icons(visits) -> None:
     for page, visit in visits.items():
         assert visit["notDrawn"] == [], page
         assert visit["drawn"] == visit["views"], page
@@ -57,5 +57,5 @@ def test_firefox_draws_pictures_widgets_formulas_and_icons(visits):
         assert set(visit["iconFonts"]) == {"loaded"}, page
 
 
-def test_nothing_is_wider_than_a_narrow_phone_in_firefox(visits):
+def test_nothing_is_wider_than_a_narrow_phone_in_firefox(visits) -> None:
     assert {page: visit["tooWide"] for page, visit in visits.items() if visit["tooWide"] > 0} == {}

@@ -70,7 +70,7 @@ def wait_for(server, address, log):
 
 
 @pytest.fixture(scope="module")
-def seen(tmp_path_factory, chromium):
+def seen(tmp_path_factory: pytest.TempPathFactory, chromium):
     folder = tmp_path_factory.mktemp("lab")
     notebook = nbformat.v4.new_notebook()
     notebook.metadata["kernelspec"] = {
@@ -92,23 +92,23 @@ def agree(seen):
     return to_degrees(seen["python"]["fov_y"]) == pytest.approx(seen["page"]["fov_y_deg"])
 
 
-def test_python_reads_where_the_slider_was_dragged(seen):
+def test_python_reads_where_the_slider_was_dragged(seen) -> None:
     assert seen["dragged"]["page"]["fov_y_deg"] > seen["before"]["page"]["fov_y_deg"] + 5
     assert agree(seen["before"])
     assert agree(seen["dragged"])
     assert seen["dragged"]["python"]["f"] < seen["before"]["python"]["f"]
 
 
-def test_arrow_keys_move_the_slider_and_not_the_notebook(seen):
+def test_arrow_keys_move_the_slider_and_not_the_notebook(seen) -> None:
     moved = seen["pressed"]["page"]["fov_y_deg"] - seen["dragged"]["page"]["fov_y_deg"]
     assert moved == pytest.approx(1.0)  # two steps of half a degree
     assert agree(seen["pressed"])
 
 
-def test_reset_reaches_python_too(seen):
+def test_reset_reaches_python_too(seen) -> None:
     assert seen["reset"]["python"]["fov_y"] == pytest.approx(seen["before"]["python"]["fov_y"])
     assert agree(seen["reset"])
 
 
-def test_the_slider_has_a_name_there_too(seen):
+def test_the_slider_has_a_name_there_too(seen) -> None:
     assert seen["name"] == "fov_y (°)"

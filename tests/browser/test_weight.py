@@ -23,14 +23,14 @@ def visits(chromium, http_site, once):
 
 
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_first_visit_keeps_to_its_budget(visits, page):
+def test_a_first_visit_keeps_to_its_budget(visits, page) -> None:
     visit = visits[page]
     heaviest = sorted(visit["weights"].items(), key=lambda item: -item[1])[:6]
     budget = WIDGET_BUDGET if visit["views"] else PLAIN_BUDGET
     assert 0 < sum(visit["weights"].values()) <= budget, heaviest
 
 
-def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages):
+def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages) -> None:
     sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
     fonts = {
         family: TTFont(io.BytesIO(base64.b64decode(data))).getBestCmap()
@@ -43,14 +43,14 @@ def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages):
         assert int(code, 16) in fonts.get(family, {}), icon
 
 
-def test_the_icons_name_their_license(student_pages):
+def test_the_icons_name_their_license(student_pages) -> None:
     sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
     assert "Font Awesome" in sheet
     assert "CC BY 4.0" in sheet
     assert "SIL OFL 1.1" in sheet
 
 
-def test_the_site_carries_no_files_that_no_page_uses(student_pages):
+def test_the_site_carries_no_files_that_no_page_uses(student_pages) -> None:
     static = student_pages / "_static"
     assert not list(static.rglob("*.map"))
     assert not (static / "locales").exists()

@@ -10,11 +10,14 @@ from labutils.checks.compare import to_canonical
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
 from labutils.checks.kinds.panels import draw_pictures
-from labutils.checks.table import Case, Part, load_table, part_to_words
+from labutils.checks.table import Case, CheckTable, Part, load_table, part_to_words
+from labutils.checks.verdict import PanelPicture
 from tools.editions.mistakes import describe_residual
 
 
-def make_table(part, *expected, wrong=None):
+def make_table(
+    part: Part, *expected: np.ndarray | np.bool, wrong: list[np.ndarray] | None = None
+) -> CheckTable:
     """Make a table of one part, with a case per answer due."""
     return replace(
         load_table("camera_to_world"),
@@ -30,22 +33,24 @@ def make_table(part, *expected, wrong=None):
 class Bearing(Kind):
     """A direction in degrees: 350 and -10 are the same."""
 
-    def to_canonical(self, value):
+    def to_canonical(self, value: np.ndarray) -> np.ndarray:
         return value % 360
 
-    def get_differences(self, part, expected, yours):
+    def get_differences(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
         del part
         return (yours - expected + 180) % 360 - 180
 
-    def describe(self, part, expected, yours, wrong):
+    def describe(
+        self, part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray
+    ) -> str:
         turn = self.get_differences(part, expected, yours)[wrong]
         return f"{part.name} is turned too far to the {'left' if turn[0] > 0 else 'right'}."
 
-    def describe_worst(self, part, expected, yours):
+    def describe_worst(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> str:
         worst = np.argmax(np.abs(self.get_differences(part, expected, yours)))
         return f"Worst bearing: number {worst}."
 
-    def draw(self, part, expected, yours):
+    def draw(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPicture | None:
         if expected.shape != yours.shape:
             return None
         gaps = np.abs(self.get_differences(part, expected, yours))[None]
@@ -54,14 +59,14 @@ class Bearing(Kind):
 
 
 @pytest.fixture
-def bearing(monkeypatch):
+def bearing(monkeypatch: pytest.MonkeyPatch) -> Part:
     """Register a kind that the library does not have; nothing else is told of it."""
     kind = Bearing(name="bearing", ndim=1, shape="one bearing per camera", counts_rows=True)
     monkeypatch.setitem(KINDS, "bearing", kind)
     return Part("pan", "bearing", "float", atol=0.5, unit="deg")
 
 
-def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing):
+def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing: Part) -> None:
     due = np.array([10.0, 350.0, 180.0])
     table = make_table(bearing, due, wrong=[(due + 180) % 360])
     assert judge_answers(table, ((np.array([370.0, -10.2, -180.0]),),)).passed
@@ -81,7 +86,7 @@ def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing):
     assert verdict.paragraphs[0] == "pan has shape (3, 3); due is one bearing per camera."
 
 
-def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing):
+def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing: Part) -> None:
     assert part_to_words(bearing)["kind"] == "bearing"
     (frozen,) = to_canonical((bearing,), (np.array([-10.0]),))
     assert frozen == 350
@@ -95,12 +100,12 @@ def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing):
         assert (find_failure(table, ((moved,),)) is None) is passes
 
 
-def test_every_name_stands_for_one_kind():
+def test_every_name_stands_for_one_kind() -> None:
     names = [kind.name for family in _FAMILIES for kind in family.KINDS]
     assert sorted(names) == sorted(set(names)) == sorted(KINDS)
 
 
-def test_unknown_kind_is_refused_with_the_known_ones():
+def test_unknown_kind_is_refused_with_the_known_ones() -> None:
     with pytest.raises(ValueError, match=r"pose: expected a kind of number, .*, got 'psoe'"):
         get_kind(Part("pose", "psoe", "float"))
 
@@ -180,7 +185,9 @@ GRID = np.arange(12.0).reshape(4, 3)
         ),
     ],
 )
-def test_difference_is_told_in_the_words_of_the_kind(kind, due, yours, words):
+def test_difference_is_told_in_the_words_of_the_kind(
+    kind: str, due: np.ndarray | np.bool, yours: np.ndarray | np.bool, words: str
+) -> None:
     names = {"f": "float", "b": "bool", "U": "str", "u": "uint8", "i": "int"}
     part = Part("x", kind, names[due.dtype.kind], atol=0, unit="px", note="what the card says")
     if kind == "cloud":
@@ -196,6 +203,6 @@ def test_difference_is_told_in_the_words_of_the_kind(kind, due, yours, words):
     assert (verdict.picture is not None) is drawn
 
 
-def test_every_kind_is_tried_above():
+def test_every_kind_is_tried_above() -> None:
     (mark,) = test_difference_is_told_in_the_words_of_the_kind.pytestmark
     assert {row[0] for row in mark.args[1]} == set(KINDS)

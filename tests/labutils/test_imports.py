@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -84,12 +86,12 @@ def find_all_below(imports: dict[str, set[str]], name: str) -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def imports():
+def imports() -> dict[str, set[str] | set[Any]]:
     return find_imports(read_modules(Path(labutils.__file__).parent))
 
 
 @pytest.fixture
-def import_scratch(tmp_path):
+def import_scratch(tmp_path: Path) -> Callable[..., Any]:
     """Write the modules of a package `a`, by path to text, and list what they import."""
 
     def make(texts: dict[str, str]) -> dict[str, set[str]]:
@@ -102,24 +104,28 @@ def import_scratch(tmp_path):
     return make
 
 
-def test_no_module_of_the_library_stands_on_itself(imports):
+def test_no_module_of_the_library_stands_on_itself(imports: dict[str, set[str] | set[Any]]) -> None:
     assert len(imports) > 30
     circle = find_circle(imports)
     assert not circle, f"modules that import each other: {' -> '.join(circle)}"
 
 
-def test_no_module_of_the_library_imports_from_its_front_door(imports):
+def test_no_module_of_the_library_imports_from_its_front_door(
+    imports: dict[str, set[str] | set[Any]],
+) -> None:
     assert [name for name, others in imports.items() if "labutils" in others] == []
 
 
-def test_a_cloud_stands_on_no_renderer(imports):
+def test_a_cloud_stands_on_no_renderer(imports: dict[str, set[str] | set[Any]]) -> None:
     below = find_all_below(imports, "labutils.pointcloud")
     assert "labutils.projection" in below
     drawn = {"camera_utils", "raycast", "rendering", "_ray_casting", "scene"}
     assert not {one for one in below if one.split(".")[1] in drawn | {"renderers"}}
 
 
-def test_geometry_stands_on_nothing_that_is_not_geometry(imports):
+def test_geometry_stands_on_nothing_that_is_not_geometry(
+    imports: dict[str, set[str] | set[Any]],
+) -> None:
     below = {f"labutils.{name}" for name in (*ON_NUMPY_ALONE, "_constants", "_guards")}
     for name in ON_NUMPY_ALONE:
         assert find_all_below(imports, f"labutils.{name}") <= below
@@ -134,12 +140,14 @@ def test_geometry_stands_on_nothing_that_is_not_geometry(imports):
         "def f():\n    from a import one, three",
     ],
 )
-def test_a_circle_is_found_and_named_wherever_the_import_stands(import_scratch, hidden):
+def test_a_circle_is_found_and_named_wherever_the_import_stands(
+    import_scratch: Callable[..., Any], hidden: str
+) -> None:
     imports = import_scratch({"__init__": "", "one": "import a.two", "two": hidden})
     assert find_circle(imports) == ["a.one", "a.two", "a.one"]
 
 
-def test_a_circle_through_a_package_is_found(import_scratch):
+def test_a_circle_through_a_package_is_found(import_scratch: Callable[..., Any]) -> None:
     texts = {
         "__init__": "",
         "one": "from a.sub.deep import x",
@@ -151,14 +159,14 @@ def test_a_circle_through_a_package_is_found(import_scratch):
     assert find_circle(imports) == ["a.one", "a.sub", "a.sub.other", "a.one"]
 
 
-def test_neighbors_in_a_package_make_no_circle_with_it(import_scratch):
+def test_neighbors_in_a_package_make_no_circle_with_it(import_scratch: Callable[..., Any]) -> None:
     imports = import_scratch(
         {"__init__": "from a.one import x", "one": "from a.two import x", "two": "import os"}
     )
     assert find_circle(imports) == []
 
 
-def test_geometry_runs_where_only_numpy_exists():
+def test_geometry_runs_where_only_numpy_exists() -> None:
     lines = [
         "import sys",
         "for name in ('cv2', 'mujoco', 'matplotlib', 'open3d', 'tqdm', 'anywidget'):",
@@ -181,14 +189,14 @@ def test_geometry_runs_where_only_numpy_exists():
     assert done.stdout.splitlines() == ["[0.0, 0.0, 2.0]", "12.5 [True, False]"], done.stderr
 
 
-def test_a_camera_is_read_by_attribute_from_whatever_has_them():
+def test_a_camera_is_read_by_attribute_from_whatever_has_them() -> None:
     """No MuJoCo: a model that was stored, or one that a browser holds."""
     import numpy as np  # noqa: PLC0415 - beside its only use
 
     from labutils.cameras import get_camera_intrinsics, get_camera_pose  # noqa: PLC0415
 
     class Camera:
-        def __init__(self, number, name):
+        def __init__(self, number, name) -> None:
             self.id, self.name = number, name
 
     class Model:
@@ -212,7 +220,7 @@ def test_a_camera_is_read_by_attribute_from_whatever_has_them():
         get_camera_intrinsics(Model(), "nose", 640, 480)
 
 
-def test_every_module_of_the_lab_sheet_still_has_its_functions():
+def test_every_module_of_the_lab_sheet_still_has_its_functions() -> None:
     from labutils import (  # noqa: PLC0415 - read as a reader would write it
         camera_utils,
         color_segmentation,

@@ -1,8 +1,10 @@
 """Right answers that are written differently have to pass: three and more per function."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,7 +24,7 @@ VARIANTS = {
 }
 
 
-def test_every_exercise_has_three_variants():
+def test_every_exercise_has_three_variants() -> None:
     assert set(VARIANTS) == set(load_exercises())
     for name, functions in VARIANTS.items():
         found = f"got {len(functions)} in {FOLDER.name}/{name}.py"
@@ -34,7 +36,7 @@ def test_every_exercise_has_three_variants():
     ("name", "function"),
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
-def test_right_answer_written_differently_passes(name, function):
+def test_right_answer_written_differently_passes(name: str, function: Callable[..., Any]) -> None:
     verdict = judge(load_table(name), function)
     assert verdict.passed, verdict.message
 
@@ -43,7 +45,9 @@ def test_right_answer_written_differently_passes(name, function):
     ("name", "function"),
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
-def test_right_answer_written_differently_passes_hidden_cases(name, function):
+def test_right_answer_written_differently_passes_hidden_cases(
+    name: str, function: Callable[..., Any]
+) -> None:
     exercise = load_exercises()[name]
     for seed in range(3):
         cases = exercise.hidden(np.random.default_rng(seed))

@@ -28,7 +28,7 @@ def write(folder, name, text):
 
 
 @pytest.mark.slow
-def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
+def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path: Path) -> None:
     # one page with a cell, one with a question, in a copy of everything else
     ignored = shutil.ignore_patterns(
         "_build", "outputs", ".*", "tests", "__pycache__", "*.egg-info", "pages"

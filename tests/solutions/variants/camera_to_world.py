@@ -3,7 +3,9 @@
 import numpy as np
 
 
-def world_by_homogeneous(points, cam_xpos, cam_xmat):
+def world_by_homogeneous(
+    points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray
+) -> np.ndarray:
     T = np.eye(4)
     T[:3, :3] = np.reshape(cam_xmat, (3, 3)) * [1, -1, -1]
     T[:3, 3] = cam_xpos

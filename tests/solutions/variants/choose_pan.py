@@ -3,7 +3,9 @@
 import numpy as np
 
 
-def pan_by_two_arguments(u, pan, fov_y, width, height):
+def pan_by_two_arguments(
+    u: float, pan: float | np.float64, fov_y: float, width: int, height: int
+) -> np.float64:
     return pan + np.arctan2((width - 1) / 2 - u, height / 2 / np.tan(fov_y / 2))
 
 

@@ -3,7 +3,9 @@
 import numpy as np
 
 
-def region_by_homogeneous(points_world, T_world_robot, low, high):
+def region_by_homogeneous(
+    points_world: np.ndarray, T_world_robot: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> np.ndarray:
     moved = np.linalg.solve(T_world_robot, np.c_[points_world, np.ones(len(points_world))].T)[:3].T
     return moved[(moved == np.clip(moved, low, high)).all(axis=1)]
 

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 
 
-def cloud_column_by_column(depth_metric, K, rgb_image):
+def cloud_column_by_column(depth_metric, K: np.ndarray, rgb_image):
     points, colors = [], []
     for u in range(depth_metric.shape[1]):
         for v in range(depth_metric.shape[0]):
@@ -15,14 +15,14 @@ def cloud_column_by_column(depth_metric, K, rgb_image):
     return points, None if rgb_image is None else colors
 
 
-def cloud_by_inverse_matrix(depth_metric, K, rgb_image):
+def cloud_by_inverse_matrix(depth_metric, K: np.ndarray, rgb_image):
     v, u = np.nonzero((depth_metric > 0.01) & (depth_metric < 10))
     pixels = np.stack([u, v, np.ones_like(u)])
     points = (np.linalg.inv(K) @ pixels * depth_metric[v, u]).T
     return points, None if rgb_image is None else rgb_image[v, u] / 255.0
 
 
-def cloud_by_cv2_backwards(depth_metric, K, rgb_image):
+def cloud_by_cv2_backwards(depth_metric, K: np.ndarray, rgb_image):
     height, width = depth_metric.shape
     grid = np.stack(np.meshgrid(np.arange(width), np.arange(height)), -1).reshape(-1, 1, 2)
     slopes = cv2.undistortPoints(grid.astype(np.float64), K, None).reshape(-1, 2)

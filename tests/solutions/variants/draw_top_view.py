@@ -14,7 +14,13 @@ def map_by_sorting(points_world, colors, low, high, pixels_per_meter):
     return picture
 
 
-def map_by_unique(points_world, colors, low, high, pixels_per_meter):
+def map_by_unique(
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> np.ndarray:
     size = np.rint((high - low) * pixels_per_meter).astype(int)
     place = np.floor((high - points_world[:, :2]) * pixels_per_meter).astype(int)
     keep = ((place >= 0) & (place < size)).all(axis=1)

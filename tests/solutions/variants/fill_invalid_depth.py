@@ -12,7 +12,7 @@ def fill_by_loop(depth_metric):
     return depth
 
 
-def fill_by_windows(depth_metric):
+def fill_by_windows(depth_metric: np.ndarray) -> np.ndarray:
     depth = np.nan_to_num(depth_metric, nan=0, posinf=0, neginf=0)
     depth[(depth <= 0.01) | (depth >= 10)] = 0
     while not depth.all():

@@ -1,10 +1,15 @@
 """Right answers to find_all_objects, written in ways that the card does not contain."""
 
+from collections.abc import Iterator
+from typing import Any
+
 import cv2
 import numpy as np
 
 
-def _split(rgb_image, color_ranges, min_area):
+def _split(
+    rgb_image: np.ndarray, color_ranges: tuple[Any, ...], min_area: int
+) -> Iterator[tuple[Any, ...]]:
     hsv = cv2.cvtColor(rgb_image, cv2.COLOR_RGB2HSV).astype(int)
     for name, low, high in color_ranges:
         hue = (hsv[..., 0] - low[0]) % 180 <= (high[0] - low[0]) % 180
@@ -16,7 +21,9 @@ def _split(rgb_image, color_ranges, min_area):
                 yield name, len(v), (u.min(), v.min(), np.ptp(u) + 1, np.ptp(v) + 1)
 
 
-def objects_by_labels(rgb_image, color_ranges, min_area):
+def objects_by_labels(
+    rgb_image: np.ndarray, color_ranges: tuple[Any, ...], min_area: int
+) -> tuple[Any, ...]:
     found = sorted(_split(rgb_image, color_ranges, min_area), key=lambda one: -one[1])
     return tuple(zip(*found, strict=True))
 

@@ -13,7 +13,7 @@ def centroid_by_components(mask):
     return tuple(int(c) for c in centers[max(good, key=lambda n: stats[n, 4])])
 
 
-def centroid_rounded_as_array(mask):
+def centroid_rounded_as_array(mask: np.ndarray) -> np.ndarray | None:
     contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
     areas = [cv2.contourArea(contour) for contour in contours]
     if not areas or max(areas) == 0:

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 
 
-def stale_by_loop(images, pans, noise):
+def stale_by_loop(images: np.ndarray, pans: np.ndarray, noise: int) -> list[bool]:
     stale = [False]
     for t in range(1, len(images)):
         moved = abs(pans[t] - pans[t - 1]) > 0.001

@@ -1,5 +1,7 @@
 """Right answers to intrinsics_matrix, written in ways that the card does not contain."""
 
+from typing import Any
+
 import numpy as np
 
 
@@ -10,7 +12,7 @@ def intrinsics_by_diagonal(fov_y, width, height):
     return K
 
 
-def intrinsics_as_lists(fov_y, width, height):
+def intrinsics_as_lists(fov_y: float, width: int, height: int) -> list[Any]:
     f = height / 2 * np.cos(fov_y / 2) / np.sin(fov_y / 2)
     return [[f, 0, width / 2 - 0.5], [0, f, height / 2 - 0.5], [0, 0, 1]]
 

@@ -8,7 +8,7 @@ def depth_by_inverse(depth_raw, near, far):
     return 1 / inverse
 
 
-def depth_by_ndc(depth_raw, near, far):
+def depth_by_ndc(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     ndc = 2 * np.clip(depth_raw.astype(np.float64), 0, 1) - 1
     return 2 * near * far / (far + near - ndc * (far - near))
 

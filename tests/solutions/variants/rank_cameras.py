@@ -5,7 +5,9 @@ import mujoco
 import numpy as np
 
 
-def rank_by_loop(model, data, point_world):
+def rank_by_loop(
+    model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
+) -> tuple[list[int], list[np.float64]]:
     mujoco.mj_kinematics(model, data)
     mujoco.mj_camlight(model, data)
     pairs = [

@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def ply_by_dictionary(text):
+def ply_by_dictionary(text: str) -> tuple[np.ndarray | None, ...]:
     header, body = text.split("end_header\n")
     vertex = header[header.index("element vertex") :].splitlines()
     count, names = int(vertex[0].split()[2]), []

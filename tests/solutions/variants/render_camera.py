@@ -3,8 +3,12 @@
 import mujoco
 import numpy as np
 
+from labutils.renderers.rays import RaycastRenderer
 
-def render_with_kinematics(model, data, renderer, camera_name):
+
+def render_with_kinematics(
+    model: mujoco.MjModel, data: mujoco.MjData, renderer: RaycastRenderer, camera_name: str
+) -> tuple[np.ndarray, np.ndarray]:
     mujoco.mj_kinematics(model, data)
     mujoco.mj_camlight(model, data)
     renderer.update_scene(data, camera=camera_name)

@@ -15,7 +15,9 @@ def mask_by_numpy(rgb_image, target_hsv_range):
     return cv2.erode(cv2.dilate(mask, kernel), kernel)
 
 
-def mask_by_turned_hue(rgb_image, target_hsv_range):
+def mask_by_turned_hue(
+    rgb_image: np.ndarray, target_hsv_range: tuple[tuple[int, int, int], tuple[int, int, int]]
+) -> np.ndarray:
     hsv = cv2.cvtColor(rgb_image, cv2.COLOR_RGB2HSV).astype(int)
     low, high = (np.array(limit) for limit in target_hsv_range)
     width = (high[0] - low[0]) % 180

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 
 
-def _share(depth_metric, max_depth):
+def _share(depth_metric: np.ndarray, max_depth: float) -> tuple[np.ndarray, np.ndarray]:
     good = np.isfinite(depth_metric) & (depth_metric > 0)
     return np.clip(np.where(good, depth_metric, 0) / max_depth, 0, 1), ~good
 

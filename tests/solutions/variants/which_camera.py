@@ -4,7 +4,9 @@ import cv2
 import numpy as np
 
 
-def camera_by_matrix(points, pixels, fovs, width, height):
+def camera_by_matrix(
+    points: np.ndarray, pixels: np.ndarray, fovs: np.ndarray, width: int, height: int
+) -> tuple[int, np.float64]:
     errors = []
     for fov in fovs:
         f = height / 2 / np.tan(fov / 2)
