@@ -146,7 +146,9 @@ def test_nobody_changes_where_python_looks_for_modules() -> None:
         ("setup.py", "import sys", "stands in no room of the table"),
     ],
 )
-def test_an_arrow_that_points_back_is_named(name, code, expected, tmp_path: Path) -> None:
+def test_an_arrow_that_points_back_is_named(
+    name: str, code: str, expected: str, tmp_path: Path
+) -> None:
     (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / name).write_text(code, encoding="utf-8")
     (problem,) = find_broken_arrows(tmp_path)
@@ -173,5 +175,5 @@ def test_an_arrow_that_points_forward_is_let_through(tmp_path: Path) -> None:
         ("import os, sys\nos.path.join(sys.prefix, 'x')  # not sys.path.insert", False),
     ],
 )
-def test_every_way_to_change_the_path_is_seen(code, changes) -> None:
+def test_every_way_to_change_the_path_is_seen(code: str, changes: bool) -> None:
     assert changes_the_path(ast.parse(code)) is changes

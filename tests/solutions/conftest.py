@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -27,10 +26,10 @@ def table(exercise: Exercise) -> CheckTable:
 
 
 @pytest.fixture
-def hidden_table(exercise: Exercise, table: CheckTable) -> Callable[..., Any]:
+def hidden_table(exercise: Exercise, table: CheckTable) -> Callable[[int], CheckTable]:
     """Return a function: seed to a table of the hidden cases, without known wrong answers."""
 
-    def make(seed):
+    def make(seed: int) -> CheckTable:
         cases = exercise.hidden(np.random.default_rng(seed))
         expected = exercise.collect(exercise.reference, cases)
         return replace(table, cases=cases, expected=expected, wrong={})

@@ -1,16 +1,14 @@
 """Right answers that are written differently have to pass: three and more per function."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from labutils.checks import judge
-from labutils.checks.calls import collect_answers
+from labutils.checks.calls import Function, collect_answers
 from labutils.checks.gates import find_failure
 from labutils.checks.table import load_table
 from solutions import load_exercises
@@ -36,7 +34,7 @@ def test_every_exercise_has_three_variants() -> None:
     ("name", "function"),
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
-def test_right_answer_written_differently_passes(name: str, function: Callable[..., Any]) -> None:
+def test_right_answer_written_differently_passes(name: str, function: Function) -> None:
     verdict = judge(load_table(name), function)
     assert verdict.passed, verdict.message
 
@@ -46,7 +44,7 @@ def test_right_answer_written_differently_passes(name: str, function: Callable[.
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
 def test_right_answer_written_differently_passes_hidden_cases(
-    name: str, function: Callable[..., Any]
+    name: str, function: Function
 ) -> None:
     exercise = load_exercises()[name]
     for seed in range(3):

@@ -9,6 +9,7 @@ import pytest
 from tools import headless
 from tools.bench import __main__ as every
 from tools.bench import checks, explorers, page_python
+from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -40,7 +41,7 @@ def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     class Slow:
-        def __call__(self, *_):
+        def __call__(self, *_: object) -> dict[str, float]:
             return {checks.REFERENCE: 2.0, checks.PEER: 1.0, "right": 10_000.0}
 
     monkeypatch.setattr(checks, "measure", Slow())
@@ -64,7 +65,7 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(
     monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
     monkeypatch.setattr(headless, "find_browser", lambda *_: "chromium")
     monkeypatch.setattr(headless, "run_script", lambda *_: found)
-    monkeypatch.setattr(explorers.npm, "install", lambda: "up to date")
+    monkeypatch.setattr(npm, "install", lambda: "up to date")
     monkeypatch.setattr(explorers, "find_pages", lambda: ["page"])
     monkeypatch.setattr(explorers, "read_views", lambda _: [None])
     monkeypatch.setattr(explorers, "measure_python", lambda *_: 10.0)

@@ -21,7 +21,7 @@ kernelspec: {display_name: Python 3, language: python, name: python3}
 """
 
 
-def write(folder, name, text):
+def write(folder: Path, name: str, text: str) -> None:
     path = folder / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
@@ -48,7 +48,7 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path: Path) -> 
 
     no_network = {"https_proxy": "http://127.0.0.1:9", memory.OUTSIDE: ""}  # to load wheels from
 
-    def run_build():
+    def run_build() -> subprocess.CompletedProcess[str]:
         return subprocess.run(
             [sys.executable, "-m", "tools.build.book"],
             cwd=tmp_path,
@@ -58,7 +58,7 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path: Path) -> 
             check=False,
         )
 
-    def build():
+    def build() -> tuple[str, float]:
         started = time.monotonic()
         done = run_build()
         assert done.returncode == 0, done.stdout + done.stderr

@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -55,7 +54,7 @@ def write(folder: Path, name: str, text: str) -> None:
     path.write_text(text)
 
 
-def find_left(student: Edition) -> set[Any]:
+def find_left(student: Edition) -> set[str]:
     return {name for name in memory.CELL_MEMORY + memory.PAGE_MEMORY if is_left(student, name)}
 
 

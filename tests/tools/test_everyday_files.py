@@ -6,7 +6,7 @@ import re
 import shlex
 import subprocess
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import pytest
 
@@ -244,7 +244,7 @@ def test_git_ignores_what_is_kept_of_a_learner(
     assert sorted(run_git(learner, "check-ignore", *written).split()) == sorted(written)
 
 
-def _interrupt(*_):
+def _interrupt(*_: object) -> NoReturn:
     raise KeyboardInterrupt("while writing")
 
 

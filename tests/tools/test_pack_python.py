@@ -9,7 +9,7 @@ import subprocess
 import sys
 import zipfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import pytest
 
@@ -29,7 +29,9 @@ def unpack(folder: Path, asset: dict[str, Any]) -> bytes:
     """Put an asset together as the page does."""
     pieces = []
     for number, file in enumerate(asset["files"]):
-        name, place, text = PIECE.fullmatch((folder / file).read_text()).groups()
+        piece = PIECE.fullmatch((folder / file).read_text())
+        assert piece, file
+        name, place, text = piece.groups()
         assert (name, int(place)) == (asset["name"], number)
         pieces.append(base64.b64decode(text))
     assert sum(map(len, pieces)) == asset["bytes"]
@@ -173,7 +175,7 @@ def test_what_is_ours_in_the_assets_holds_no_leak(wheels: Wheels) -> None:
     ours = [asset for asset in manifest["assets"] if not asset["name"].startswith("vendor/")]
     assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page_runner.py"}
     folder = pack_python.PACKED / "python"
-    documents = []
+    documents: list[tuple[str, str]] = []
     for asset in (*ours, *manifest["tables"].values()):
         documents += read_document(asset["name"], unpack(folder, asset))
     assert len(documents) > len(manifest["tables"])
@@ -206,7 +208,7 @@ def test_an_editor_that_cannot_be_bundled_stops_the_build(
     entry = place / "entry.js"
     entry.write_text("import { nothing } from 'nowhere';")
     monkeypatch.setattr(page_python, "ENTRY", entry)
-    if not (page_python.ROOT / "_build" / "page_python").is_dir():
+    if not (ROOT / "_build" / "page_python").is_dir():
         pytest.skip("the packages are not there; run `make book` first")
     try:
         npm.install()
@@ -219,7 +221,7 @@ def test_an_editor_that_cannot_be_bundled_stops_the_build(
 def test_without_npm_and_without_older_files_the_build_stops(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def fail():
+    def fail() -> NoReturn:
         raise npm.VendorError("npm could not fetch pyodide")
 
     monkeypatch.setattr(npm, "install", fail)

@@ -3,10 +3,10 @@
 import hashlib
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
+from tools import ROOT
 from tools.vendor import page_wheels
 from tools.vendor.page_wheels import Wheels
 
@@ -51,9 +51,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 class Network:
     """A network that hands out files, and remembers what it was asked."""
 
-    def __init__(self, files: dict[str, Any] = CONTENT) -> None:
+    def __init__(self, files: dict[str, bytes] = CONTENT) -> None:
         self.files = files
-        self.asked = []
+        self.asked: list[str] = []
 
     def __call__(self, url: str) -> bytes:
         self.asked.append(url)
@@ -168,7 +168,7 @@ def test_without_network_the_page_loads_the_official_files_itself(lock: Path) ->
 
 def test_the_lock_file_of_pyodide_names_both_wheels() -> None:
     # What is fetched by address has to be in the very version that is pinned.
-    lock = Path(page_wheels.ROOT) / "_build" / "vendor_python" / "pyodide-lock.json"
+    lock = ROOT / "_build" / "vendor_python" / "pyodide-lock.json"
     if not lock.is_file():
         pytest.skip("Pyodide is not there; run `make book` first")
     wheels = page_wheels.find_wheels(lock, "314.0.7", Network(files={}))

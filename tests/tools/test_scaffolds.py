@@ -8,8 +8,10 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -181,7 +183,7 @@ def test_an_exercise_of_the_lab_answers_for_a_function_of_the_library(small: Pat
 
 def test_a_new_card_can_be_loaded_before_it_is_filled(small: Path) -> None:
     plan = plan_exercise("scale_intrinsics", "step2", root=small)
-    space = {"__name__": "solutions.scale_intrinsics"}
+    space: dict[str, Any] = {"__name__": "solutions.scale_intrinsics"}
     exec(plan.texts[Path("solutions/scale_intrinsics.py")], space)  # noqa: S102 - our own text
     card = space["EXERCISE"]
     assert card.is_challenge
@@ -260,23 +262,23 @@ def read_all(folder: Path) -> dict[Path, bytes]:
 # ---- A whole chapter, on a copy of the repository
 
 
-def fill(path, texts):
+def fill(path: Path, texts: Iterable[str]) -> None:
     """Fill the places of a file in their order; an empty text leaves the next line as it is."""
-    texts = iter(texts)
+    rest = iter(texts)
 
-    def write(place):
-        text = next(texts)
+    def write(place: re.Match[str]) -> str:
+        text = next(rest)
         if "line" in place.re.groupindex and place["line"] is not None:
             return f"{place['indent']}{text}" if text else place["line"]
         return text
 
     pattern = PLACE_IN_CODE if path.suffix == ".py" else PLACE_IN_WORDS
     filled = pattern.sub(write, path.read_text(encoding="utf-8"))
-    assert next(texts, None) is None, f"{path.name}: more texts than places"
+    assert next(rest, None) is None, f"{path.name}: more texts than places"
     path.write_text(filled, encoding="utf-8")
 
 
-def read_texts(name):
+def read_texts(name: str) -> list[str]:
     text = (TEXTS / f"{name}.txt").read_text(encoding="utf-8")
     return [one.strip("\n") for one in re.split(r"^%%\n", text, flags=re.MULTILINE)]
 
@@ -284,16 +286,16 @@ def read_texts(name):
 class Copy:
     """A copy of the repository, with this environment and a history of its own."""
 
-    def __init__(self, folder) -> None:
+    def __init__(self, folder: Path) -> None:
         self.folder = copy_repository(folder)
         self.git("init", "-q")
         self.commit()
 
-    def run(self, *command, **variables):
+    def run(self, *command: str, **variables: str) -> str:
         environment = {name: v for name, v in os.environ.items() if not name.startswith("PYTEST")}
         environment |= {"PYTHONPATH": str(self.folder), "PYTHONDONTWRITEBYTECODE": "1", **variables}
         done = subprocess.run(
-            [sys.executable, *map(str, command)],
+            [sys.executable, *command],
             cwd=self.folder,
             env=environment,
             capture_output=True,
@@ -304,23 +306,23 @@ class Copy:
         assert done.returncode == 0, done.stdout[-6000:] + done.stderr[-6000:]
         return done.stdout
 
-    def git(self, *arguments):
+    def git(self, *arguments: str) -> str:
         command = ["git", "-c", "user.name=test", "-c", "user.email=test@example.org", *arguments]
         done = subprocess.run(
             command, cwd=self.folder, capture_output=True, text=True, check=True, timeout=60
         )
         return done.stdout
 
-    def commit(self):
+    def commit(self) -> None:
         self.git("add", "-A")
         self.git("commit", "-q", "-m", "as it is")
 
-    def list_changed(self):
+    def list_changed(self) -> list[str]:
         return self.git("diff", "--name-only", "HEAD", "--no-renames").splitlines()
 
 
 @pytest.fixture(scope="module")
-def extended(tmp_path_factory: pytest.TempPathFactory):
+def extended(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     """The repository with a chapter more, made by the commands and filled from the texts."""
     copy = Copy(tmp_path_factory.mktemp("copy"))
     title = "Where does a point land in a smaller picture?"
@@ -337,7 +339,7 @@ def extended(tmp_path_factory: pytest.TempPathFactory):
 
 
 @pytest.mark.slow
-def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended) -> None:
+def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended: Copy) -> None:
     extended.git("add", "-A")
     changed = extended.list_changed()
     assert set(FILLED.values()) <= set(changed)
@@ -354,7 +356,9 @@ def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended) ->
         *("tests/checks/test_check_files.py", "tests/checks/test_check_progress.py"),
     )
     said = extended.run(*tests, "tests/solutions", "tests/book/test_chapters.py", "-k", new)
-    assert int(re.search(r"(\d+) passed", said)[1]) > 40
+    passed = re.search(r"(\d+) passed", said)
+    assert passed, said
+    assert int(passed[1]) > 40
     report = extended.run("-c", "from labutils.checks import report; print(report())")
     assert "0 of 9 exercises, 0 of 90 points in reach" in report
     assert re.search(r"^Ext test +points_to_pixels +0/3 +not started$", report, re.MULTILINE)
@@ -362,7 +366,7 @@ def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended) ->
 
 
 @pytest.mark.slow
-def test_the_book_with_a_new_chapter_is_built(extended) -> None:
+def test_the_book_with_a_new_chapter_is_built(extended: Copy) -> None:
     built = ROOT / "_build"
     if not (built / ".jupyter_cache").is_dir():
         pytest.skip("the book is not built; run `make book` first")

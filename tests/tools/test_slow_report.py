@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -21,7 +22,8 @@ from tests.helpers.slow_report import (
 )
 
 
-def end(nodeid, why=None):
+def end(nodeid: str, why: tuple[str, int, str] | None = None) -> Any:
+    # stands for a report of pytest
     return SimpleNamespace(nodeid=nodeid, longrepr=why)
 
 

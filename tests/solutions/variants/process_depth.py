@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def depth_by_inverse(depth_raw, near, far):
+def depth_by_inverse(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     inverse = 1 / near + np.clip(depth_raw, 0, 1) * (1 / far - 1 / near)
     return 1 / inverse
 
@@ -13,7 +13,7 @@ def depth_by_ndc(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     return 2 * near * far / (far + near - ndc * (far - near))
 
 
-def depth_in_place(depth_raw, near, far):
+def depth_in_place(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     # It overwrites its argument, which may change no other case.
     depth_raw[depth_raw < 0] = 0
     depth_raw[depth_raw > 1] = 1
@@ -21,7 +21,7 @@ def depth_in_place(depth_raw, near, far):
     return depth_raw
 
 
-def depth_as_lists(depth_raw, near, far):
+def depth_as_lists(depth_raw: np.ndarray, near: float, far: float) -> list[list[float]]:
     return depth_by_ndc(depth_raw, near, far).tolist()
 
 
