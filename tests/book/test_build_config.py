@@ -85,7 +85,7 @@ def find_place(name: str, parent: str, packages: dict[str, Any]) -> str | None:
 
 
 def test_a_package_inside_another_is_found_before_one_at_the_top() -> None:
-    packages = {
+    packages: dict[str, Any] = {
         "node_modules/wrap": {},
         "node_modules/wrap/node_modules/width": {},
         "node_modules/width": {},
@@ -149,7 +149,7 @@ def test_widget_ids_are_the_same_whatever_the_random_ids_were(
 ) -> None:
     hook = load("book/_ext/stable_ids.py", monkeypatch)
 
-    def build(slider, layout, view, link):
+    def build(slider: str, layout: str, view: str, link: str) -> tuple[str, str]:
         models = {
             link: {"state": {"source": [f"IPY_MODEL_{slider}", "value"]}},
             slider: {"state": {"layout": f"IPY_MODEL_{layout}", "value": 45}},
@@ -160,7 +160,7 @@ def test_widget_ids_are_the_same_whatever_the_random_ids_were(
         script = SimpleNamespace(attributes={"type": hook.WIDGET_STATE, "body": state})
         body = f'<script type="{hook.WIDGET_STATE.replace("state", "view")}">'
         body += json.dumps({"model_id": view}) + "</script>"
-        context = {"body": body, "script_files": [script]}
+        context: dict[str, Any] = {"body": body, "script_files": [script]}
         hook.rename_models(None, "book/page", "", context, None)
         return context["body"], script.attributes["body"]
 

@@ -28,6 +28,7 @@ from tools.build import memory
 from tools.build.edition import EDITIONS, get_edition
 from tools.editions import instructor_pages as make_instructor_pages
 from tools.editions import student as make_student
+from tools.editions.card_code import is_answered_by_library
 from tools.editions.mistakes import describe_residual, measure
 from tools.editions.plain_markdown import Flattener, find_labels
 
@@ -253,7 +254,7 @@ def test_a_link_to_a_page_outside_is_refused() -> None:
 def flatten(
     text: str, page: str = "book/page.md", labels: dict[str, tuple[str, str]] | None = None
 ) -> str:
-    def resolve(link):
+    def resolve(link: str) -> str:
         return link.replace(".md", ".ipynb")
 
     return Flattener(page, ROOT, labels or {}, resolve).flatten(text)
@@ -305,7 +306,7 @@ def test_the_zip_runs_on_its_own(tmp_path: Path, files: dict[str, bytes]) -> Non
     folder = tmp_path / make_student.FOLDER
     environment = {**os.environ, "PYTHONPATH": str(folder), "PYDEVD_DISABLE_FILE_VALIDATION": "1"}
 
-    def run(*arguments, cwd=folder / "book"):
+    def run(*arguments: str, cwd: Path = folder / "book") -> str:
         done = subprocess.run(
             [sys.executable, *arguments],
             cwd=cwd,
@@ -343,8 +344,8 @@ def test_a_challenge_shows_its_helpers() -> None:
     assert "def count_bright_regions" in source
     assert "def _spread_labels" in source
     card = load_exercises()["process_depth"]
-    assert make_instructor_pages.is_answered_by_library(card)
+    assert is_answered_by_library(card)
     assert card.reference is labutils.process_depth
-    assert not make_instructor_pages.is_answered_by_library(
+    assert not is_answered_by_library(
         replace(card, name="count_bright_regions", reference=count_bright_regions)
     )

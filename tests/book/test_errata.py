@@ -13,7 +13,7 @@ from pathlib import Path
 
 import labutils as lab  # isort: skip - chooses the OpenGL backend, so before MuJoCo
 
-from typing import Any
+from typing import TypeAlias
 
 import cv2
 import mujoco
@@ -31,6 +31,8 @@ ROW = re.compile(r"^\| \[(E\d+)\]\((\w+\.md)\) \|(.*)\|(.*)\*\*(.*)\*\* \|$", re
 WIDTH, HEIGHT = 640, 480
 CAMERA = "head_camera"
 
+Frame: TypeAlias = tuple[mujoco.MjModel, mujoco.MjData, np.ndarray, np.ndarray]
+
 
 def read_rows() -> dict[str, list[str]]:
     """Return, per row, the page that teaches it, what the sheet says, the truth, the measure."""
@@ -47,7 +49,7 @@ def assert_page_says(row: str, *texts: str) -> None:
 
 
 @pytest.fixture(scope="module")
-def frame() -> tuple[Any, ...]:
+def frame() -> Frame:
     """State, depth and intrinsics; the depth is the exact one, the same on every machine."""
     model, data = lab.make_scene()
     renderer = RaycastRenderer(model, HEIGHT, WIDTH)
@@ -120,7 +122,7 @@ def test_e3_depth_rendering_takes_no_argument() -> None:
     assert_page_says("E3", "`TypeError`")
 
 
-def test_e4_a_step_leaves_the_camera_one_step_behind(frame: tuple[Any, ...]) -> None:
+def test_e4_a_step_leaves_the_camera_one_step_behind(frame: Frame) -> None:
     _, _, _, K = frame
     model, data = lab.make_scene()
     data.qvel[model.joint("neck_pan").dofadr[0]] = 3.0
@@ -166,7 +168,7 @@ def test_e6_without_forward_there_is_nothing_and_only_no_sky_is_black() -> None:
     assert brightest[1] == 0
 
 
-def test_e7_half_a_pixel_moves_every_point(frame: tuple[Any, ...]) -> None:
+def test_e7_half_a_pixel_moves_every_point(frame: Frame) -> None:
     *_, depth, K = frame
     sheet = K.copy()
     sheet[:2, 2] = WIDTH / 2, HEIGHT / 2
@@ -175,7 +177,7 @@ def test_e7_half_a_pixel_moves_every_point(frame: tuple[Any, ...]) -> None:
     assert_page_says("E7", f"{np.median(off_mm):.1f} mm", f"{off_mm.max():.1f} mm")
 
 
-def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame: tuple[Any, ...]) -> None:
+def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame: Frame) -> None:
     model, data, *_ = frame
     camera = "sensor_camera"
     K, _ = lab.get_camera_intrinsics(model, camera, WIDTH, HEIGHT)
@@ -187,7 +189,7 @@ def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame: tuple[Any, ...]
     assert_page_says("E8", f"{focal:.0f} px", f"{K[0, 0]:.0f} px", f"{np.median(off_mm):.0f} mm")
 
 
-def test_e9_clipping_meters_destroys_them(frame: tuple[Any, ...]) -> None:
+def test_e9_clipping_meters_destroys_them(frame: Frame) -> None:
     *_, depth, K = frame
     sheet = stretch(depth)
     points, _ = lab.depth_to_pointcloud(sheet, K)
@@ -199,7 +201,7 @@ def test_e9_clipping_meters_destroys_them(frame: tuple[Any, ...]) -> None:
     assert len(points) == np.count_nonzero(depth < 1)
 
 
-def test_e10_window_depth_is_no_straight_line(frame: tuple[Any, ...]) -> None:
+def test_e10_window_depth_is_no_straight_line(frame: Frame) -> None:
     model, _, depth, _ = frame
     near, far = lab.get_clip_planes(model)
     surface = lab.find_valid_depth(depth)
@@ -211,7 +213,7 @@ def test_e10_window_depth_is_no_straight_line(frame: tuple[Any, ...]) -> None:
     np.testing.assert_allclose(comment, lab.process_depth(raw, near, far), rtol=1e-9, atol=0)
 
 
-def test_e11_default_planes_are_not_those_of_the_scene(frame: tuple[Any, ...]) -> None:
+def test_e11_default_planes_are_not_those_of_the_scene(frame: Frame) -> None:
     model, _, depth, _ = frame
     near, far = lab.get_clip_planes(model)
     assert (near, far) != (0.01, 10.0)
@@ -222,26 +224,26 @@ def test_e11_default_planes_are_not_those_of_the_scene(frame: tuple[Any, ...]) -
     assert_page_says("E11", f"{10 * round(10 * share):.0f} %")
 
 
-def test_e12_the_depth_picture_has_a_single_color(frame: tuple[Any, ...]) -> None:
+def test_e12_the_depth_picture_has_a_single_color(frame: Frame) -> None:
     *_, depth, _ = frame
     levels = (np.clip(stretch(depth) / 5.0, 0, 1) * 255).astype(np.uint8)
     colors = np.unique(cv2.applyColorMap(levels, cv2.COLORMAP_JET).reshape(-1, 3), axis=0)
     assert_page_says("E12", f"{len(colors)} color")
 
 
-def test_e13_a_healthy_buffer_is_near_one(frame: tuple[Any, ...]) -> None:
+def test_e13_a_healthy_buffer_is_near_one(frame: Frame) -> None:
     model, _, depth, _ = frame
     raw = lab.metric_to_raw(depth, *lab.get_clip_planes(model))
     assert_page_says("E13", f"{raw.min():.2f}")
 
 
-def test_e14_the_ray_is_longer_than_the_depth(frame: tuple[Any, ...]) -> None:
+def test_e14_the_ray_is_longer_than_the_depth(frame: Frame) -> None:
     *_, K = frame
     (corner,) = lab.pixels_to_points(np.zeros((1, 2)), np.ones(1), K)
     assert_page_says("E14", f"{100 * (np.linalg.norm(corner) - 1):.0f} %")
 
 
-def test_e15_the_largest_depth_is_no_surface(frame: tuple[Any, ...]) -> None:
+def test_e15_the_largest_depth_is_no_surface(frame: Frame) -> None:
     model, data, depth, _ = frame
     truth = lab.raycast_depth(model, data, CAMERA, WIDTH, HEIGHT)
     assert_page_says("E15", f"{depth.max():.1f} m", f"{np.nanmax(truth):.1f} m")
@@ -261,7 +263,7 @@ def test_e16_a_pixel_without_depth_looks_like_the_nearest() -> None:
     assert_page_says("E16", "The same color", "`RuntimeWarning`")
 
 
-def test_e17_one_range_misses_the_red_box(frame: tuple[Any, ...], rgb: np.ndarray) -> None:
+def test_e17_one_range_misses_the_red_box(frame: Frame, rgb: np.ndarray) -> None:
     model, data, *_ = frame
     labels = lab.render_segmentation(model, data, RaycastRenderer(model, HEIGHT, WIDTH), CAMERA)
     box = labels == model.body("red_box").id
@@ -270,13 +272,17 @@ def test_e17_one_range_misses_the_red_box(frame: tuple[Any, ...], rgb: np.ndarra
     found = [100 * (mask[box] > 0).mean() for mask in (sheet, ours)]
     assert_page_says("E17", f"{found[0]:.0f} %")
     assert found[1] > 98  # rounding at the outline depends on the driver
-    x, y = lab.find_object_centroid(sheet)
+    centroid = lab.find_object_centroid(sheet)
+    assert centroid is not None
+    x, y = centroid
     assert model.body(labels[y, x]).name == "red_ball"
-    x, y = lab.find_object_centroid(ours)
+    centroid = lab.find_object_centroid(ours)
+    assert centroid is not None
+    x, y = centroid
     assert model.body(labels[y, x]).name == "red_box"
 
 
-def test_e18_the_cloud_is_in_the_camera_frame(frame: tuple[Any, ...]) -> None:
+def test_e18_the_cloud_is_in_the_camera_frame(frame: Frame) -> None:
     model, data, depth, K = frame
     points, _ = lab.depth_to_pointcloud(depth, K)
     truth = lab.raycast_points(model, data, CAMERA, WIDTH, HEIGHT)[lab.find_valid_depth(depth)]

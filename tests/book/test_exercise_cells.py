@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from docutils import nodes
 from docutils.frontend import get_default_settings
-from docutils.nodes import document
 from docutils.utils import new_document
 from sphinx.errors import ExtensionError
 
@@ -40,7 +39,7 @@ def hook(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 
 
 @pytest.fixture(scope="module")
-def pages() -> None:
+def pages() -> dict[str, str]:
     if not (HTML / "index.html").is_file() or not (HTML / "_static" / "python").is_dir():
         pytest.skip("the book is not built; run `make book` first")
     found = {path.stem: path.read_text() for path in sorted((HTML / "exercises").glob("*.html"))}
@@ -49,11 +48,16 @@ def pages() -> None:
 
 
 @pytest.fixture(scope="module")
-def data(pages):
-    return {name: json.loads(DATA.search(page)[1]) for name, page in pages.items()}
+def data(pages: dict[str, str]) -> dict[str, Any]:
+    read = {}
+    for name, page in pages.items():
+        found = DATA.search(page)
+        assert found is not None, name
+        read[name] = json.loads(found[1])
+    return read
 
 
-def make_tree(*exercises: tuple[str, str]) -> document:
+def make_tree(*exercises: tuple[str, str]) -> nodes.document:
     """Make a page as MyST leaves it: per exercise a cell, its check, a comment and a hint."""
     tree = new_document("page", get_default_settings())
     top = nodes.section()
@@ -79,7 +83,7 @@ def make_app() -> SimpleNamespace:
     )
 
 
-def get_raw(tree: document) -> list[Any]:
+def get_raw(tree: nodes.document) -> list[str]:
     return [node.astext() for node in tree.findall(nodes.raw)]
 
 
@@ -134,7 +138,7 @@ def test_other_formats_than_html_are_left_alone(hook: ModuleType) -> None:
     assert get_raw(tree) == []
 
 
-def test_every_exercise_has_an_editor_or_a_note(pages) -> None:
+def test_every_exercise_has_an_editor_or_a_note(pages: dict[str, str]) -> None:
     mounted = [
         name
         for page in pages.values()
@@ -145,7 +149,7 @@ def test_every_exercise_has_an_editor_or_a_note(pages) -> None:
     assert notes == len(IN_NOTEBOOK)
 
 
-def test_without_scripts_the_exercise_can_be_read(pages) -> None:
+def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None:
     parts = r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>"
     text = "".join(re.sub(r"<[^<>]*>", "", page) for page in pages.values())
     for name in EXERCISES:
@@ -157,7 +161,7 @@ def test_without_scripts_the_exercise_can_be_read(pages) -> None:
         assert not [element for element in elements if "hidden" in element]
 
 
-def test_the_notebook_of_a_note_is_there(pages) -> None:
+def test_the_notebook_of_a_note_is_there(pages: dict[str, str]) -> None:
     notes = re.findall(r'class="exercise-note">.*?</p>', "".join(pages.values()))
     assert len(notes) == len(IN_NOTEBOOK) > 0
     for note in notes:
@@ -166,7 +170,7 @@ def test_the_notebook_of_a_note_is_there(pages) -> None:
         assert all((HTML / "exercises" / link).is_file() for link in links), note
 
 
-def test_pages_know_hints_tables_and_titles(data) -> None:
+def test_pages_know_hints_tables_and_titles(data: dict[str, Any]) -> None:
     names = [name for page in data.values() for name in page["exercises"]]
     assert sorted(names) == sorted(EXERCISES)
     for page in data.values():
@@ -177,7 +181,7 @@ def test_pages_know_hints_tables_and_titles(data) -> None:
             assert page["titles"][EXERCISES[name]["section"]]
 
 
-def test_links_of_verdicts_lead_to_a_place(data) -> None:
+def test_links_of_verdicts_lead_to_a_place(data: dict[str, Any]) -> None:
     for page in data.values():
         assert page["titles"]
         for link in page["titles"]:
@@ -185,7 +189,7 @@ def test_links_of_verdicts_lead_to_a_place(data) -> None:
             assert f'id="{anchor}"' in (HTML / "exercises" / target).read_text()
 
 
-def test_every_asset_a_page_names_is_there(data) -> None:
+def test_every_asset_a_page_names_is_there(data: dict[str, Any]) -> None:
     for page in data.values():
         assert page["assets"]
         for asset in (*page["assets"], *page["tables"].values()):
@@ -195,7 +199,7 @@ def test_every_asset_a_page_names_is_there(data) -> None:
     assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
 
 
-def test_only_pages_with_exercises_load_the_scripts(pages) -> None:
+def test_only_pages_with_exercises_load_the_scripts(pages: dict[str, str]) -> None:
     scripts = ("editor.js", "progress.js", "python.js", "exercises.js", "exercise_bar.js")
     for page in pages.values():
         places = [page.index(f"_static/python/{name}") for name in scripts]

@@ -8,6 +8,7 @@ import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import nbformat
 import numpy as np
@@ -32,7 +33,7 @@ NOTES = sorted((ROOT / "solutions" / "notes").glob("*.md"))
 
 
 # A challenge as somebody might write it: its answer is in no library.
-def count_bright_regions(depth_raw, near, far):
+def count_bright_regions(depth_raw: np.ndarray, near: float, far: float) -> int:
     """Count what is bright."""
     threshold = np.percentile(depth_raw, 87.5) + near / (far + 3)
     labels = _spread_labels(
@@ -42,7 +43,7 @@ def count_bright_regions(depth_raw, near, far):
     return np.unique(labels[labels > 0]).size
 
 
-def _spread_labels(bright, rounds):
+def _spread_labels(bright: np.ndarray, rounds: int) -> np.ndarray:
     labels = np.where(bright, np.arange(bright.size).reshape(bright.shape) + 1, 0)
     for _ in range(rounds):
         labels = np.where(bright, np.maximum(labels, np.roll(labels, 1, axis=0)), 0)
@@ -106,22 +107,22 @@ def make_page(code: str) -> bytes:
     return f"<html><pre>{spans}</pre></html>".encode()
 
 
-def make_notebook(code):
-
+def make_notebook(code: str) -> bytes:
     cells = [nbformat.v4.new_code_cell(code)]
     return nbformat.writes(nbformat.v4.new_notebook(cells=cells)).encode()
 
 
-def make_archive(name, content):
+def make_archive(name: str, content: str | bytes) -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         archive.writestr(name, content)
     return buffer.getvalue()
 
 
-def make_arrays(name):
+def make_arrays(name: str) -> bytes:
     buffer = io.BytesIO()
-    np.savez(buffer, **{name: np.zeros(3)})
+    arrays: dict[str, Any] = {name: np.zeros(3)}
+    np.savez(buffer, **arrays)
     return buffer.getvalue()
 
 

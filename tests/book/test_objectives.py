@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,11 +21,19 @@ def book() -> Book:
     return read_book()
 
 
-def make_item(**changes: str | None) -> Item:
+def make_item(**changes: Any) -> Item:
     """A question about 2a that is in order."""
     choices = tuple(Choice(text, "Because.", text == "a") for text in "abc")
-    fields = {"page": "step2_intrinsics", "id": "zz", "section": "step2-focal", "question": "?"}
-    return Item(**fields | {"choices": choices, "objective": "2a", "check": None} | changes)
+    fields: dict[str, Any] = {
+        "page": "step2_intrinsics",
+        "id": "zz",
+        "section": "step2-focal",
+        "question": "?",
+        "choices": choices,
+        "objective": "2a",
+        "check": None,
+    }
+    return Item(**fields | changes)
 
 
 def test_every_objective_has_section_exercise_and_question(book: Book) -> None:
@@ -67,7 +75,7 @@ def test_an_orphan_stops_the_tool(
     assert "objective 1a has no question" in capsys.readouterr().err
 
 
-def without(mapping: dict[str, Any], name: str) -> dict[str, Any]:
+def without(mapping: Mapping[str, Any], name: str) -> dict[str, Any]:
     return {key: value for key, value in mapping.items() if key != name}
 
 
@@ -169,7 +177,7 @@ CROWDED = {"6f": ("step6_view", "one too many")}
     ],
 )
 def test_every_kind_of_orphan_is_named(
-    changes: Callable[..., Any], expected: list[str], book: Book
+    changes: Callable[[Book], dict[str, Any]], expected: list[str], book: Book
 ) -> None:
     assert find_problems(replace(book, **changes(book))) == expected
 

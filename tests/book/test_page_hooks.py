@@ -4,6 +4,7 @@ import importlib.util
 import io
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
+from typing import Any, NoReturn
 
 import pytest
 from docutils import nodes
@@ -29,9 +30,12 @@ def icons() -> ModuleType:
 
 
 @pytest.fixture
-def fonts(icons: ModuleType) -> None:
+def fonts(icons: ModuleType) -> Path:
     """The theme's own folder of fonts."""
-    theme = importlib.util.find_spec("pydata_sphinx_theme").submodule_search_locations[0]
+    spec = importlib.util.find_spec("pydata_sphinx_theme")
+    assert spec is not None
+    assert spec.submodule_search_locations is not None
+    theme = spec.submodule_search_locations[0]
     app = SimpleNamespace(
         builder=SimpleNamespace(
             theme=SimpleNamespace(
@@ -71,7 +75,7 @@ def test_icons_of_sheets_and_scripts_are_found_without_the_list_of_all(
     assert found == {0xF002, 0xF107, 0xF0C9}
 
 
-def test_the_fonts_hold_what_is_asked_for_and_no_more(icons, fonts) -> None:
+def test_the_fonts_hold_what_is_asked_for_and_no_more(icons: ModuleType, fonts: Path) -> None:
     content = icons.cut_font(fonts / "fa-solid-900.ttf", {0xF0C9, 0xF107, 0xF8FE}, "Some Name")
     font = TTFont(io.BytesIO(content))
     assert set(font.getBestCmap()) == {0xF0C9, 0xF107}
@@ -80,7 +84,7 @@ def test_the_fonts_hold_what_is_asked_for_and_no_more(icons, fonts) -> None:
     assert icons.cut_font(fonts / "fa-brands-400.ttf", {0xF0C9}, "Some Name") == b""
 
 
-def test_the_same_icons_make_the_same_sheet(icons, fonts) -> None:
+def test_the_same_icons_make_the_same_sheet(icons: ModuleType, fonts: Path) -> None:
     used = {(0, 0xF0C9), (1, 0xF0C5), (2, 0xF09B)}
     first = icons.make_sheet(fonts, used, {0xF107})
     assert first == icons.make_sheet(fonts, used, {0xF107})
@@ -97,7 +101,11 @@ def test_a_theme_without_font_awesome_is_refused(icons: ModuleType) -> None:
 
 @pytest.mark.parametrize("kind", ["epub", "html"])
 def test_the_script_gives_way_to_the_sheet_in_every_page(
-    kind: str, icons, fonts, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    kind: str,
+    icons: ModuleType,
+    fonts: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(icons, "_theme_folder", lambda _: fonts.parents[2])
     (tmp_path / "_static" / "styles").mkdir(parents=True)
@@ -161,7 +169,7 @@ def test_pictures_are_converted_once_and_never_half(
         assert hook.ahead.begin(source) is hook.ahead.begin(source)
     (tmp_path / "a.webp").unlink()
 
-    def stop(_picture, path, *_args, **_options):
+    def stop(_picture: Image.Image, path: Path, *_args: object, **_options: object) -> NoReturn:
         path.write_bytes(b"half")
         raise KeyboardInterrupt
 
@@ -225,7 +233,7 @@ def test_settings_of_thebe_leave_the_page() -> None:
         '<p>text</p><script type="text/x-thebe-config">{}</script> '
         "<script>kernelName = 'python3'</script><p>stamp</p>"
     )
-    context = {"body": body, "css_files": sheets}
+    context: dict[str, Any] = {"body": body, "css_files": sheets}
     hook.drop_tags(None, "", "", context, None)
     assert context["body"] == "<p>text</p><p>stamp</p>"
     assert [sheet.filename for sheet in context["css_files"]] == ["book.css"]

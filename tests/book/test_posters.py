@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
 
 from docutils import nodes
 from docutils.utils import new_document
@@ -13,7 +12,7 @@ from tests.helpers.scripts import load_script
 HOOK = load_script("book/_ext/posters.py")
 
 
-def keep_posters(*mime_types: str) -> list[Any]:
+def keep_posters(*mime_types: str) -> list[nodes.Node]:
     """Run the hook on one output with these forms; return what follows the output."""
     document = new_document("page")
     bundle = nodes.container(nb_element="mime_bundle")

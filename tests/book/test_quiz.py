@@ -9,7 +9,6 @@ import sys
 from collections import Counter
 from html.parser import HTMLParser
 from pathlib import Path
-from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
@@ -22,7 +21,7 @@ PAGES = load_all()
 ITEMS = [item for items in PAGES.values() for item in items]
 FACTS = [ROOT / "tests" / "book" / f"test_quiz_facts_{part}.py" for part in ("camera", "cloud")]
 
-GOOD = {
+GOOD: dict[str, Any] = {
     "id": "x1",
     "section": "a-label",
     "question": "How many?",
@@ -58,11 +57,16 @@ def test_feedback_explains_and_does_not_only_judge(item: Item) -> None:
         assert ends, f"expected sentences, got {choice.feedback!r}"
 
 
+def find_longest(item: Item) -> int:
+    """The place of the longest choice."""
+    return max(range(len(item.choices)), key=lambda n: len(item.choices[n].text))
+
+
 def test_the_place_of_the_right_choice_tells_nothing() -> None:
     places = Counter(item.right_index for item in ITEMS)
     shares = f"places of the right choices: {dict(places)} of {len(ITEMS)}"
     assert max(places.values()) <= 0.4 * len(ITEMS), f"expected no place above 40 %; {shares}"
-    longest = [max(range(len(i.choices)), key=lambda n, i=i: len(i.choices[n].text)) for i in ITEMS]
+    longest = [find_longest(item) for item in ITEMS]
     hits = sum(place == item.right_index for place, item in zip(longest, ITEMS, strict=True))
     assert hits <= 0.45 * len(ITEMS), f"the longest choice is right in {hits} of {len(ITEMS)}"
 
@@ -87,7 +91,7 @@ def test_a_good_question_is_read(tmp_path: Path) -> None:
     assert (second.page, second.check) == ("page", "test_it")
 
 
-def change_choice(place, **fields):
+def change_choice(place: int, **fields: Any) -> dict[str, Any]:
     """The good question with one choice changed."""
     choices = [dict(choice) for choice in GOOD["choices"]]
     choices[place] |= fields
@@ -156,10 +160,11 @@ class Outline(HTMLParser):
 
     def __init__(self, html: str) -> None:
         super().__init__()
-        self.found, self.open = [], []
+        self.found: list[tuple[str, dict[str, Any], tuple[str, ...]]] = []
+        self.open: list[str] = []
         self.feed(html)
 
-    def handle_starttag(self, tag: str, attrs: list[Any]) -> None:
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.found.append((tag, dict(attrs), tuple(self.open)))
         if tag not in {"input", "meta", "link", "br", "hr", "img"}:
             self.open.append(tag)
@@ -168,12 +173,12 @@ class Outline(HTMLParser):
         while self.open and self.open.pop() != tag:
             pass
 
-    def get(self, tag: str, class_: str | None = None) -> list[Any]:
+    def get(self, tag: str, class_: str | None = None) -> list[dict[str, Any]]:
         """List the attributes of the elements of one kind."""
         return [a for t, a, _ in self.found if t == tag and class_ in (None, a.get("class"))]
 
 
-def build(folder: Path, text: str) -> CompletedProcess:
+def build(folder: Path, text: str) -> subprocess.CompletedProcess[str]:
     """Build a book of one page with nothing but the directive."""
     (folder / "index.md").write_text(text, encoding="utf-8")
     paths = (str(ROOT / "book" / "_ext"), *filter(None, [os.environ.get("PYTHONPATH")]))

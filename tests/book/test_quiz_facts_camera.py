@@ -218,8 +218,8 @@ def test_the_gap_between_levels_grows_with_the_square(
 
 
 def test_depth_of_a_flat_wall_in_the_corner(view: dict[str, Any]) -> None:
-    (ray,) = lab.pixels_to_points([[0, 0]], np.ones(1), view["K"])
-    factor = np.linalg.norm(ray)
+    (ray,) = lab.pixels_to_points(np.array([[0, 0]]), np.ones(1), view["K"])
+    factor = float(np.linalg.norm(ray))
     assert round(factor, 2) == 1.21
     np.testing.assert_allclose(get_numbers(ITEMS["3c"]), [2, 2 * factor, 2 / factor], atol=0.005)
 

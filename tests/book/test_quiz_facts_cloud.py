@@ -13,6 +13,7 @@ from typing import Any
 import cv2
 import mujoco
 
+from labutils.figures import Picture
 from tests.helpers.quiz import HEAD, ITEMS, SIZE, get_numbers, get_texts, make_view
 from tests.helpers.tolerances import EXACT
 
@@ -72,9 +73,11 @@ def test_the_centroid_of_the_largest_region() -> None:
 
 def test_the_camera_sees_the_skin_of_the_ball(view: dict[str, Any]) -> None:
     radius_mm = 1000 * view["model"].geom("red_ball").size[0]
-    ball = np.uint8(255 * (view["bodies"] == view["model"].body("red_ball").id))
-    u, v = lab.find_object_centroid(ball)
-    point = lab.pixels_to_points([(u, v)], [view["depth"][v, u]], view["K"])
+    ball = (255 * (view["bodies"] == view["model"].body("red_ball").id)).astype(np.uint8)
+    centroid = lab.find_object_centroid(ball)
+    assert centroid is not None
+    u, v = centroid
+    point = lab.pixels_to_points(np.array([(u, v)]), np.array([view["depth"][v, u]]), view["K"])
     camera = view["data"].camera(HEAD)
     found = lab.camera_to_world(point, camera.xpos, camera.xmat)[0]
     off_mm = 1000 * np.linalg.norm(found - view["data"].body("red_ball").xpos)
@@ -88,7 +91,7 @@ def test_the_camera_sees_the_skin_of_the_ball(view: dict[str, Any]) -> None:
 
 def test_one_pixel_becomes_a_point() -> None:
     K = np.array([[600.0, 0, 319.5], [0, 600.0, 239.5], [0, 0, 1]])
-    right = lab.pixels_to_points([[319.5 + 150, 239.5]], np.array([2.0]), K)[0, 0]
+    right = lab.pixels_to_points(np.array([[319.5 + 150, 239.5]]), np.array([2.0]), K)[0, 0]
     wrong = [150 / 600, 150 * 2, 600 / 150 * 2]
     np.testing.assert_allclose(get_numbers(ITEMS["5a"]), [right, *wrong], atol=EXACT)
 
@@ -96,6 +99,7 @@ def test_one_pixel_becomes_a_point() -> None:
 def test_colors_go_with_the_points_that_are_kept(view: dict[str, Any]) -> None:
     rgb, valid = view["rgb"], lab.find_valid_depth(view["depth"])
     points, colors = lab.depth_to_pointcloud(view["depth"], view["K"], rgb)
+    assert colors is not None
     for choice in ITEMS["5b"].choices:
         offered = eval(  # noqa: S307 - our own text
             choice.text.strip("`"), {"__builtins__": {}}, {"rgb": rgb, "valid": valid}
@@ -161,7 +165,9 @@ def test_without_a_screen_there_is_a_picture(
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     points, colors = lab.depth_to_pointcloud(view["depth"], view["K"], view["rgb"])
+    assert colors is not None
     picture = lab.visualize_pointcloud(points[::50], colors[::50])
+    assert isinstance(picture, Picture)
     assert picture.png.startswith(b"\x89PNG")
     assert "picture" in ITEMS["6a"].right_text
 

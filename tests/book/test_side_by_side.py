@@ -39,7 +39,7 @@ def hook(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return module
 
 
-def make_env(folder: Path, pages: dict[str, Any]) -> SimpleNamespace:
+def make_env(folder: Path, pages: dict[str, list[str]]) -> SimpleNamespace:
     """Make what the hook asks of Sphinx: pages, and where the cache is."""
     for name, cells in pages.items():
         text = "".join(f"\n```{{code-cell}}\n{cell}\n```\n" for cell in cells)
@@ -62,13 +62,15 @@ class Runs:
     """Stands for what runs a page; remembers what ran, in which order and how many at once."""
 
     def __init__(self, failing: str | None = None, together: int = 1) -> None:
-        self.ran, self.options, self.now, self.most = [], [], 0, 0
+        self.ran: list[str] = []
+        self.options: list[dict[str, Any]] = []
+        self.now = self.most = 0
         self.failing = failing
         self.lock = threading.Lock()
         self.together = threading.Barrier(together)  # waits until so many run at once
-        self.variables = {}
+        self.variables: dict[str, str] = {}
 
-    def __call__(self, notebook: NotebookNode, **options: str | bool | int) -> ExecutionResult:
+    def __call__(self, notebook: NotebookNode, **options: Any) -> ExecutionResult:
         title = notebook.cells[0].source.removeprefix("# ")
         with self.lock:
             self.ran.append(title)
@@ -87,7 +89,7 @@ class Runs:
 
 
 def run(
-    hook: ModuleType, env: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, **options: int
+    hook: ModuleType, env: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, **options: Any
 ) -> Runs:
     runs = Runs(**options)
     monkeypatch.setattr(hook, "single_nb_execution", runs)
@@ -196,15 +198,17 @@ def test_a_page_with_settings_of_its_own_is_left_to_myst_nb(
 
 
 @pytest.mark.slow
-def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(hook, tmp_path: Path) -> None:
+def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(
+    hook: ModuleType, tmp_path: Path
+) -> None:
     cells = ["import os\nprint(len(os.listdir()))", "6 * 7", ":tags: [x]\nprint('done')"]
     env = make_env(tmp_path, {"a": cells, "b": ["print(1)"]})
     hook.run_pages(None, env, env.names)
 
-    def read(folder):
+    def read(folder: Path) -> tuple[NotebookNode, str]:
         """Let MyST-NB have the page from a cache; return the page and what it said."""
         (found,) = hook.find_pages(env, ["a"], get_cache(tmp_path / "empty"))
-        said = []
+        said: list[str] = []
         logger = DocutilsDocLogger(new_document("a.md"))
         logger.info = lambda message, *_args, **_options: said.append(message)
         config = env.mystnb_config.copy(execution_cache_path=str(folder))
@@ -224,7 +228,7 @@ def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(hook, tmp_pa
 
 
 @pytest.mark.slow
-def test_what_a_slow_cell_prints_in_pieces_stays_one_line(hook, tmp_path: Path) -> None:
+def test_what_a_slow_cell_prints_in_pieces_stays_one_line(hook: ModuleType, tmp_path: Path) -> None:
     cell = "import time\nprint('same:', end='', flush=True)\ntime.sleep(0.5)\nprint(' yes')"
     env = make_env(tmp_path, {"a": [cell]})
     hook.run_pages(None, env, env.names)

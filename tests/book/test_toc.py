@@ -151,9 +151,9 @@ def test_pages_and_their_cells_stay_short(page: Path) -> None:
     # nobody should save on those.
     text = re.sub(STARTER, "", read(page), flags=re.DOTALL | re.MULTILINE)
     seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
-    lines = len(seen.splitlines())
+    count = len(seen.splitlines())
     limit = MAX_LINES + 40 * text.count("\nfrom labutils.explorers import ")
-    assert lines <= limit, f"expected a page of at most {limit} lines, got {lines}"
+    assert count <= limit, f"expected a page of at most {limit} lines, got {count}"
     for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         code = re.sub(r"\A---\n.*?^---\n", "", cell, flags=re.DOTALL | re.MULTILINE)
         lines = [

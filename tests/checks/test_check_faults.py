@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ def right_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
 def test_fault_of_the_checker_is_not_blamed_on_the_learner(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def break_down(*_):
+    def break_down(*_: object) -> NoReturn:
         raise RuntimeError("a bug of ours")
 
     monkeypatch.setattr("labutils.checks.judging.find_failure", break_down)
@@ -39,7 +40,7 @@ def test_fault_of_the_checker_is_not_blamed_on_the_learner(
 def test_damaged_installation_is_not_blamed_on_the_learner(
     target: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(*_):
+    def fail(*_: object) -> NoReturn:
         raise TableError("the check tables cannot be read (gone)")
 
     monkeypatch.setattr(f"labutils.checks.keeping.{target}", fail)
@@ -66,9 +67,12 @@ def test_tables_hold_no_objects_and_no_code() -> None:
 
 
 def test_frozen_arrays_cannot_be_overwritten() -> None:
-    table = load_table("process_depth")
+    due = load_table("process_depth").expected[0]
+    assert isinstance(due, tuple)
+    (depth,) = due
+    assert depth is not None
     with pytest.raises(ValueError, match="read-only"):
-        table.expected[0][0][0, 0] = 1
+        depth[0, 0] = 1
 
 
 def test_checks_need_neither_mujoco_nor_matplotlib() -> None:

@@ -53,7 +53,7 @@ def test_a_file_that_is_stale_missing_or_left_over_is_told(
 
 @pytest.mark.slow  # derives everything five times
 def test_check_fails_where_a_file_is_stale_missing_or_left_over(
-    tool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tool: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert tool.main(["--root", str(tmp_path)]) == 0
     assert tool.main(["--root", str(tmp_path), "--check"]) == 0
@@ -104,8 +104,9 @@ def test_starters_hold_signature_and_docstring_and_nothing_of_the_body(
     for name, exercise in load_exercises().items():
         text = files[tool.STARTERS / f"{name}.py"].decode()
         assert f"def {name}(" in text
-        head = re.search(r"def \w+\((.*?)\):", text, re.DOTALL)[1]
-        names = [word.partition("=")[0].strip() for word in head.split(",") if word.strip()]
+        head = re.search(r"def \w+\((.*?)\):", text, re.DOTALL)
+        assert head is not None
+        names = [word.partition("=")[0].strip() for word in head[1].split(",") if word.strip()]
         assert tuple(names) == exercise.parameters
         assert text.rstrip().endswith("raise NotImplementedError")
         source = inspect.getsource(exercise.reference)

@@ -3,9 +3,8 @@
 import builtins
 import io
 import os
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -32,7 +31,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     [None, lambda *_: None, lambda *_: np.eye(3), lambda *_: 1 / 0, load_cards()[NAME].reference],
 )
 def test_judging_neither_prints_nor_opens_a_file(
-    function: Callable[..., Any] | None,
+    function: object,
     folder: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
@@ -41,7 +40,7 @@ def test_judging_neither_prints_nor_opens_a_file(
     table = load_table(NAME)
     judge(table, function)  # what is read once and kept: the source of the function, MuJoCo
 
-    def refuse(*args, **_):
+    def refuse(*args: object, **_: object) -> NoReturn:
         raise AssertionError(f"opened {args[0]}")
 
     with monkeypatch.context() as patch:
@@ -55,7 +54,7 @@ def test_judging_neither_prints_nor_opens_a_file(
 
 
 def test_check_gives_the_verdict_of_judging_and_keeps_it(folder: Path) -> None:
-    def wrong(*_):
+    def wrong(*_: object) -> np.ndarray:
         return np.eye(3)
 
     assert check(NAME, wrong).paragraphs == judge(load_table(NAME), wrong).paragraphs
@@ -74,8 +73,11 @@ def test_object_whose_name_ends_in_none_is_an_answer_and_no_empty_function() -> 
 def test_emptiness_is_neither_stored_nor_compared() -> None:
     parts = load_table("depth_to_pointcloud").parts
     empty = split_answer(parts, None, ())
+    other = split_answer(parts, 5, ())
+    assert isinstance(empty, Misfit)
+    assert isinstance(other, Misfit)
     assert empty.is_empty
-    assert not split_answer(parts, 5, ()).is_empty
+    assert not other.is_empty
     assert encode(empty, {}) == {"misfit": empty.text}
     assert Misfit(empty.text) == empty
 

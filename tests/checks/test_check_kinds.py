@@ -16,7 +16,7 @@ from tools.editions.mistakes import describe_residual
 
 
 def make_table(
-    part: Part, *expected: np.ndarray | np.bool, wrong: list[np.ndarray] | None = None
+    part: Part, *expected: np.ndarray, wrong: list[np.ndarray] | None = None
 ) -> CheckTable:
     """Make a table of one part, with a case per answer due."""
     return replace(
@@ -76,6 +76,7 @@ def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing: Part) -> 
         "pan is turned too far to the right.",
         "Case 1 of 1: case 0. Worst bearing: number 2.",
     )
+    assert verdict.picture is not None
     assert verdict.picture.summary.startswith("pan: expected, yours, difference; worst pixel")
     verdict = judge_answers(table, ((due - 180,),))
     assert verdict.misconception == "upside-down"
@@ -88,7 +89,9 @@ def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing: Part) -> 
 
 def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing: Part) -> None:
     assert part_to_words(bearing)["kind"] == "bearing"
-    (frozen,) = to_canonical((bearing,), (np.array([-10.0]),))
+    canonical = to_canonical((bearing,), (np.array([-10.0]),))
+    assert isinstance(canonical, tuple)
+    (frozen,) = canonical
     assert frozen == 350
     due = np.array([10.0, 350.0])
     size, words = describe_residual((bearing,), (due,), (due + np.array([0, 365]),))
@@ -123,7 +126,7 @@ GRID = np.arange(12.0).reshape(4, 3)
         ("vector", RAMP[1], -RAMP[1], "x[0] is of the wrong sign; x[1] is of the wrong sign; x[2]"),
         ("vector", np.ones(5), np.ones(5) * np.nan, "x[2] is no finite number; and 2 more."),
         ("choice", np.array(2), np.array(1), "x is not the right one."),
-        ("flag", np.bool_(1), np.bool_(0), "what the card says"),
+        ("flag", np.array(1, bool), np.array(0, bool), "what the card says"),
         (
             "flags",
             np.array([True, False, False]),
@@ -162,31 +165,31 @@ GRID = np.arange(12.0).reshape(4, 3)
         (
             "rgb",
             np.full((2, 2, 3), 9, np.uint8),
-            np.uint8([[[9, 9, 9]] * 2, [[9, 7, 11]] * 2]),
+            np.array([[[9, 9, 9]] * 2, [[9, 7, 11]] * 2], np.uint8),
             "2 of 4 pixels of x are off: to both sides, typically by 2 px.",
         ),
         (
             "mapped",
-            np.uint8([[[255, 0, 0], [0, 0, 255]]]),
-            np.uint8([[[0, 0, 255], [255, 0, 0]]]),
+            np.array([[[255, 0, 0], [0, 0, 255]]], np.uint8),
+            np.array([[[0, 0, 255], [255, 0, 0]]], np.uint8),
             "2 of 2 pixels of x are off: to both sides, typically by 200 px.",
         ),
         (
             "mapped",
-            np.uint8([[[255, 0, 0]]]),
-            np.uint8([[[9, 200, 9]]]),
+            np.array([[[255, 0, 0]]], np.uint8),
+            np.array([[[9, 200, 9]]], np.uint8),
             "x: these colors belong neither to COLORMAP_TURBO nor to COLORMAP_JET nor to",
         ),
         (
             "mask",
-            np.uint8([[255, 255, 0]]),
-            np.uint8([[0, 0, 255]]),
+            np.array([[255, 255, 0]], np.uint8),
+            np.array([[0, 0, 255]], np.uint8),
             "3 of 3 pixels of x are off: 1 marked that should not be, 2 missing.",
         ),
     ],
 )
 def test_difference_is_told_in_the_words_of_the_kind(
-    kind: str, due: np.ndarray | np.bool, yours: np.ndarray | np.bool, words: str
+    kind: str, due: np.ndarray, yours: np.ndarray, words: str
 ) -> None:
     names = {"f": "float", "b": "bool", "U": "str", "u": "uint8", "i": "int"}
     part = Part("x", kind, names[due.dtype.kind], atol=0, unit="px", note="what the card says")

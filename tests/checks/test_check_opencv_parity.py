@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BROWSER_OPENCV = "4.11.0.86"
 
 
-def run_script(python):
+def run_script(python: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [python, "-m", "tools.derive.opencv_parity"],
         cwd=ROOT,

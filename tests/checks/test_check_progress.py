@@ -4,6 +4,7 @@ import json
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 import pytest
@@ -92,7 +93,7 @@ def test_damaged_file_that_cannot_be_moved_is_reported(
 ) -> None:
     (folder / FILE_NAME).write_text("{")
 
-    def refuse(*_):
+    def refuse(*_: object) -> NoReturn:
         raise OSError("read-only")
 
     monkeypatch.setattr("pathlib.Path.rename", refuse)
@@ -102,7 +103,7 @@ def test_damaged_file_that_cannot_be_moved_is_reported(
 def test_folder_that_cannot_be_written_is_reported(
     monkeypatch: pytest.MonkeyPatch, folder: Path
 ) -> None:
-    def refuse(*_):
+    def refuse(*_: object) -> NoReturn:
         raise PermissionError("no")
 
     monkeypatch.setattr("os.replace", refuse)
@@ -120,6 +121,7 @@ def test_folder_that_does_not_exist_is_reported(folder: Path) -> None:
 def test_report_shows_what_is_done_and_what_is_next() -> None:
     empty = report()
     assert empty.points == 0
+    assert empty.next_row is not None
     assert empty.next_row.name == "render_camera"
     assert "0 of 9 exercises, 0 of 90 points" in repr(empty)
     check("camera_to_world", right)
@@ -149,7 +151,7 @@ def make_lab() -> Report:
     return replace(found, rows=found.lab)
 
 
-def make_extended(**changes: bool | str) -> Report:
+def make_extended(**changes: Any) -> Report:
     """The report of the lab with two rows of an extension."""
     lab = make_lab()
     row = replace(lab.rows[0], chapter="Two eyes", points=0, extension=True)
@@ -181,14 +183,22 @@ def test_extensions_have_a_table_of_their_own_in_jupyter_too() -> None:
 
 def test_the_lab_comes_before_its_extensions() -> None:
     found = make_extended()
+    assert found.next_row is not None
     assert found.next_row.name == "render_camera"
     assert not found.next_row.extension
     done = replace(found, rows=tuple(replace(r, passed=not r.extension) for r in found.rows))
+    assert done.next_row is not None
     assert done.next_row.name == "match_rows"
 
 
 def test_report_when_everything_is_done(folder: Path) -> None:
-    record = {"passed": True, "attempts": 1, "hints": 0, "last_property": None, "mistakes": {}}
+    record: dict[str, Any] = {
+        "passed": True,
+        "attempts": 1,
+        "hints": 0,
+        "last_property": None,
+        "mistakes": {},
+    }
     content = {"version": 1, "exercises": dict.fromkeys(read_words(), record)}
     (folder / FILE_NAME).write_text(json.dumps(content))
     found = report(folder)

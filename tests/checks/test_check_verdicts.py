@@ -6,7 +6,8 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from types import EllipsisType
+from typing import Any, NoReturn
 
 import cv2
 import numpy as np
@@ -14,7 +15,7 @@ import pytest
 
 import labutils
 from labutils.checks import check, hint, judge_answers
-from labutils.checks.table import load_table
+from labutils.checks.table import Outcome, load_table
 
 LAST_WORDS = "These are the visible cases: hidden cases decide the grade."
 
@@ -32,11 +33,11 @@ def linear_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     return near + np.clip(depth_raw, 0, 1) * (far - near)
 
 
-def starter(depth_raw, near=0.01, far=10.0):
+def starter(depth_raw: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
     raise NotImplementedError
 
 
-def begin_to_write(depth_raw, *_):
+def begin_to_write(depth_raw: np.ndarray, *_: float) -> np.ndarray:
     depth_raw = depth_raw * 1.0
     return depth_raw[10000000]
 
@@ -57,7 +58,9 @@ def test_known_mistake_is_named_with_its_hint_and_a_picture() -> None:
     assert "hyperbolic" in verdict.message
     assert "Worst pixel: (u, v) =" in verdict.message
     assert "Read again: ../book/step3_depth.html#step3-raw" in verdict.message
+    assert verdict.picture is not None
     picture = cv2.imdecode(np.frombuffer(verdict.picture.png, np.uint8), cv2.IMREAD_COLOR)
+    assert picture is not None
     assert picture.shape[1] > 3 * 150
 
 
@@ -98,7 +101,7 @@ def test_unknown_mistake_gets_statistics_and_no_name() -> None:
         (lambda raw, *_: raw * np.nan, "value", "of them are NaN or infinite on one side only"),
     ],
 )
-def test_first_property_that_fails_is_told(function: Any, gate: str, words: str) -> None:
+def test_first_property_that_fails_is_told(function: object, gate: str, words: str) -> None:
     verdict = check("process_depth", function)
     assert not verdict.passed
     assert verdict.property == gate
@@ -107,7 +110,7 @@ def test_first_property_that_fails_is_told(function: Any, gate: str, words: str)
 
 
 @pytest.mark.parametrize("value", [None, ...])
-def test_empty_function_of_two_results_counts_as_not_started(value: ellipsis | None) -> None:
+def test_empty_function_of_two_results_counts_as_not_started(value: EllipsisType | None) -> None:
     verdict = check("depth_to_pointcloud", lambda *_: value)
     assert verdict.property == "runs"
     assert "Not started yet" in verdict.message
@@ -184,7 +187,7 @@ def test_missing_exception_is_told() -> None:
 
 
 def test_other_exception_than_the_one_due_is_told() -> None:
-    def by_key(model, camera_name, width, height):
+    def by_key(model: Any, camera_name: str, width: int, height: int) -> Any:
         camera = model.camera(camera_name).id  # MuJoCo raises KeyError
         return labutils.get_camera_intrinsics(model, model.camera(camera).name, width, height)
 
@@ -195,7 +198,7 @@ def test_other_exception_than_the_one_due_is_told() -> None:
 
 
 def test_long_exception_text_is_cut() -> None:
-    def shout(*_):
+    def shout(*_: object) -> NoReturn:
         raise ValueError(text)
 
     text = "very " * 400 + "\nsecond line"
@@ -206,7 +209,7 @@ def test_long_exception_text_is_cut() -> None:
 
 
 def test_function_that_spoils_its_input_changes_no_other_case() -> None:
-    def spoil(depth_raw, near, far):
+    def spoil(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
         depth = right_depth(depth_raw, near, far)
         depth_raw[:] = -1
         return depth
@@ -243,7 +246,7 @@ def test_jupyter_shows_the_same_words_and_the_picture() -> None:
 
 
 def test_words_of_a_learner_cannot_become_html() -> None:
-    def attack(*_):
+    def attack(*_: object) -> NoReturn:
         raise ValueError("<script>alert(1)</script>")
 
     assert "<script>" not in check("process_depth", attack)._repr_html_()
@@ -258,26 +261,36 @@ def test_builtin_function_without_signature_can_be_checked() -> None:
     assert check("find_object_centroid", cv2.countNonZero).property == "type"
 
 
+def get_cloud(due: Outcome) -> tuple[np.ndarray, np.ndarray | None]:
+    """The points and colors of an answer."""
+    assert isinstance(due, tuple)
+    points, colors = due
+    assert points is not None
+    return points, colors
+
+
 def test_cloud_in_any_order_is_the_same_cloud() -> None:
     table = load_table("depth_to_pointcloud")
     rng = np.random.default_rng(5)
 
-    def shuffled(due):
-        points, colors = due
+    def shuffled(due: Outcome) -> Outcome:
+        points, colors = get_cloud(due)
         order = rng.permutation(len(points))
         noise = rng.uniform(-0.9e-4, 0.9e-4, size=points.shape)
         return points[order] + noise, None if colors is None else colors[order]
 
     assert judge_answers(table, tuple(map(shuffled, table.expected))).passed
     # The same points with the colors of others are not.
-    points, colors = table.expected[1]
+    points, colors = get_cloud(table.expected[1])
     wrong = (table.expected[0], (points[::-1], colors))
     assert judge_answers(table, wrong).property == "value"
 
 
 def test_one_point_twice_and_another_never_is_another_cloud() -> None:
     table = load_table("depth_to_pointcloud")
-    points, colors = (part.copy() for part in table.expected[1])
+    points, colors = get_cloud(table.expected[1])
+    assert colors is not None
+    points = points.copy()
     points[0] = points[1]
     answers = (table.expected[0], (points[::-1], colors[::-1]))
     assert not judge_answers(table, answers).passed
@@ -285,11 +298,12 @@ def test_one_point_twice_and_another_never_is_another_cloud() -> None:
 
 def test_picture_of_a_cloud_with_other_points_is_drawn() -> None:
     table = load_table("depth_to_pointcloud")
-    half = (table.expected[0][0][::2], None)
+    points, _ = get_cloud(table.expected[0])
+    half = (points[::2], None)
     verdict = judge_answers(table, (half, table.expected[1]))
     assert verdict.property == "shape"
     assert verdict.picture is not None
-    empty = (table.expected[0][0][:0], None)
+    empty = (points[:0], None)
     assert judge_answers(table, (empty, table.expected[1])).picture is None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -13,6 +14,7 @@ from content.chapters import (
     EXTENSION,
     READING,
     REGISTRY,
+    Chapter,
     ChapterError,
     find_chapter,
     get_chapter,
@@ -25,7 +27,7 @@ from content.quiz_items import load_all
 from content.toc import Entry, list_entries, list_pages
 from tests.helpers.chapters import ROOT
 
-ROW = {
+ROW: dict[str, Any] = {
     "id": "first",
     "kind": "required",
     "page": "book/first_page",
@@ -39,14 +41,14 @@ ROW = {
 READ = {"id": "intro", "kind": "reading", "page": "book/intro", "name": "Intro", "title": "why?"}
 
 
-def write(folder, rows):
+def write(folder: Path, rows: Any) -> Path:
     """Write a registry; every test has a folder of its own, so nothing is remembered."""
     (folder / "content").mkdir()
     (folder / REGISTRY).write_text(yaml.safe_dump(rows), encoding="utf-8")
     return folder
 
 
-def change(**fields):
+def change(**fields: Any) -> dict[str, Any]:
     """The good row with fields changed; None takes one out."""
     return {key: value for key, value in (ROW | fields).items() if value is not None}
 
@@ -62,14 +64,14 @@ def test_registry_and_contents_name_the_same_pages_in_the_same_order() -> None:
 
 
 @pytest.mark.parametrize("chapter", load_chapters(), ids=lambda one: one.id)
-def test_every_page_has_the_heading_and_the_label_of_its_row(chapter) -> None:
+def test_every_page_has_the_heading_and_the_label_of_its_row(chapter: Chapter) -> None:
     text = (ROOT / f"{chapter.page}.md").read_text(encoding="utf-8")
     expected = f"\n(page-{chapter.id})=\n# {chapter.heading}\n"
     assert expected in text, f"{chapter.page}: expected {expected!r}, as its row says"
 
 
 @pytest.mark.parametrize("chapter", list_taught(), ids=lambda one: one.id)
-def test_labels_of_a_chapter_begin_with_its_id(chapter) -> None:
+def test_labels_of_a_chapter_begin_with_its_id(chapter: Chapter) -> None:
     labels = [name for name, label in read_labels().items() if label.page == chapter.page]
     assert len(labels) > 1
     strange = [name for name in labels if not name.startswith((f"{chapter.id}-", "page-"))]
@@ -90,6 +92,7 @@ def test_a_row_is_read_with_what_follows_from_it(tmp_path: Path) -> None:
     assert (reading.kind, reading.exercises, reading.criterion) == (READING, "", None)
     assert (first.stem, first.heading) == ("first_page", "Step 1: What?")
     assert (first.short, first.noun, first.is_extension) == ("1", "step", False)
+    assert first.criterion is not None
     assert first.criterion.asks == "A picture"
     assert (extra.short, extra.noun, extra.is_extension) == ("Extra", "chapter", True)
     assert list_taught(root) == (first, extra)
@@ -140,7 +143,7 @@ EXTRA = {
         ([READ | {"exercises": "exercises/intro"}], "exercises: a page for reading has none"),
     ],
 )
-def test_a_wrong_row_is_refused_with_its_place(rows, message, tmp_path: Path) -> None:
+def test_a_wrong_row_is_refused_with_its_place(rows: Any, message: str, tmp_path: Path) -> None:
     with pytest.raises(ChapterError, match=message):
         load_chapters(write(tmp_path, rows))
 
@@ -162,7 +165,7 @@ def test_an_unknown_chapter_lists_the_known_ones() -> None:
 # ---- Labels and contents
 
 
-def write_pages(folder, **pages):
+def write_pages(folder: Path, **pages: str) -> Path:
     write(folder, [ROW])
     (folder / "book").mkdir()
     for name, text in pages.items():
