@@ -32,7 +32,7 @@ SEEDS = [
 ]
 
 
-def get_parts(due: Outcome) -> Parts | None:
+def get_parts(due: Outcome) -> "Parts | None":
     """Return what is due, or None where that is an exception."""
     if isinstance(due, Raised):
         return None
