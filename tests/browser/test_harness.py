@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from http.client import HTTPConnection
 from pathlib import Path
+from typing import NoReturn
 from urllib.parse import urlsplit
 
 import pytest
 from _pytest.outcomes import Failed, Skipped
 
 from tests.helpers import browser
+from tools.vendor import npm
 
 
 def test_a_browser_named_by_the_environment_comes_first(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -25,7 +28,7 @@ def test_a_browser_named_by_the_environment_comes_first(monkeypatch: pytest.Monk
     ],
 )
 def test_without_a_browser_tests_are_skipped_or_fail_where_it_is_required(
-    require, message, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    require: Callable[[], str], message: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     for name in ("CHROMIUM", "FIREFOX", "REQUIRE_BROWSER"):
         monkeypatch.delenv(name, raising=False)
@@ -47,11 +50,11 @@ def test_without_pages_the_command_that_builds_them_is_named(
 
 
 def test_without_a_network_the_missing_drivers_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse():
-        raise browser.npm.VendorError("npm could not fetch")
+    def refuse() -> NoReturn:
+        raise npm.VendorError("npm could not fetch")
 
     monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
-    monkeypatch.setattr(browser.npm, "install", refuse)
+    monkeypatch.setattr(npm, "install", refuse)
     with pytest.raises(Skipped, match="npm could not fetch"):
         browser.require_packages()
 
@@ -79,7 +82,7 @@ def test_a_script_gets_its_arguments_and_returns_its_json(
 def test_what_is_made_once_is_read_afterwards(tmp_path: Path) -> None:
     made = []
 
-    def make():
+    def make() -> dict[str, int]:
         made.append(1)
         return {"page": 1}
 

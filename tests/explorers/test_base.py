@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import cv2
 import ipywidgets
@@ -103,7 +104,7 @@ def test_bytes_that_are_no_png_are_told() -> None:
 )
 @pytest.mark.parametrize("smooth", [True, False])
 def test_the_page_reads_png_as_opencv_does(
-    channels: int, dtype: type[np.generic], smooth: bool, tmp_path: Path
+    channels: int, dtype: type[np.integer[Any]], smooth: bool, tmp_path: Path
 ) -> None:
     # Smooth pictures make the encoder use its predictors, noise makes it use none.
     rng = np.random.default_rng(3)

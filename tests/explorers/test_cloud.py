@@ -26,6 +26,9 @@ from labutils.explorers._cloud_poster import make_view_transform
 from labutils.explorers.cloud import CloudExplorer
 from tests.helpers.tolerances import CLOUD_MEDIAN_MM, EXACT
 
+#: Color, depth, intrinsics, field of view and pose of the head camera.
+Frame = tuple[np.ndarray, np.ndarray, np.ndarray, float, np.ndarray]
+
 SIZE = (640, 480)
 FACES = {
     "table": [(60, 440), (590, 440), (330, 215)],
@@ -38,7 +41,7 @@ WINDOW_PIXEL = (250, 20)
 
 
 @pytest.fixture(scope="module")
-def frame() -> tuple[np.ndarray | float, ...]:
+def frame() -> Frame:
     model, data = make_scene()
     with make_renderer(model, SIZE[1], SIZE[0]) as renderer:
         rgb, depth = render_camera(model, data, renderer, "head_camera")
@@ -47,14 +50,14 @@ def frame() -> tuple[np.ndarray | float, ...]:
 
 
 @pytest.fixture
-def explorer(frame: tuple[np.ndarray | float, ...]) -> CloudExplorer:
+def explorer(frame: Frame) -> CloudExplorer:
     rgb, depth, K, _, T_world_cam = frame
     return explore_cloud(rgb, depth, K, T_world_cam, faces=FACES)
 
 
-def make_small(**changes: np.ndarray) -> CloudExplorer:
+def make_small(**changes: Any) -> CloudExplorer:
     """Arguments of a small flat cloud, some of them changed."""
-    arguments = {
+    arguments: dict[str, Any] = {
         "rgb": np.full((6, 8, 3), 90, np.uint8),
         "depth": np.full((6, 8), 2.0, np.float32),
         "K": np.array([[9.0, 0, 3.25], [0, 7.0, 2.5], [0, 0, 1]]),
@@ -63,7 +66,7 @@ def make_small(**changes: np.ndarray) -> CloudExplorer:
 
 
 def test_it_starts_with_every_point_that_the_library_keeps(
-    explorer: CloudExplorer, frame: tuple[np.ndarray | float, ...]
+    explorer: CloudExplorer, frame: Frame
 ) -> None:
     _, depth, K, fov_y, _ = frame
     points, _ = depth_to_pointcloud(depth, K)
@@ -78,7 +81,7 @@ def test_it_starts_with_every_point_that_the_library_keeps(
 @pytest.mark.parametrize("pixel", FLAT_PIXELS)
 def test_a_picked_point_is_the_true_point(
     explorer: CloudExplorer,
-    frame: tuple[np.ndarray | float, ...],
+    frame: Frame,
     scene: tuple[mujoco.MjModel, mujoco.MjData],
     pixel: tuple[int, int],
 ) -> None:
@@ -89,6 +92,7 @@ def test_a_picked_point_is_the_true_point(
     ray = np.linalg.norm([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], 1])
     # depth is rounded to half a step, and moves the point along its ray
     limit = DEPTH_STEP / 2 * ray + CLOUD_MEDIAN_MM / 1000
+    assert explorer.point is not None
     assert np.linalg.norm(explorer.point - truth) < limit
     assert explorer.pixel == pixel
     camera = np.linalg.inv(frame[4]) @ [*explorer.point, 1]
@@ -96,11 +100,12 @@ def test_a_picked_point_is_the_true_point(
 
 
 def test_without_a_pose_the_point_is_in_the_camera_frame(
-    frame: tuple[np.ndarray | float, ...],
+    frame: Frame,
 ) -> None:
     rgb, depth, K, _, _ = frame
     explorer = explore_cloud(rgb, depth, K, pixel=(330, 215))
     assert explorer.values["point_world"] is None
+    assert explorer.point is not None
     assert explorer.point[2] == pytest.approx(depth[215, 330], abs=DEPTH_STEP / 2)
     assert explorer.values["angle_deg"] is None
 
@@ -120,12 +125,10 @@ def test_a_point_beyond_the_far_limit_is_gone(explorer: CloudExplorer) -> None:
     assert explorer.point is not None
     explorer.move(far=depth - 0.001)
     assert explorer.point is None
-    assert explorer.far == depth - 0.001
+    assert explorer.far == depth - 0.001  # type: ignore[unreachable]  # the move takes the point away
 
 
-def test_the_far_limit_counts_as_the_library_does(
-    explorer: CloudExplorer, frame: tuple[np.ndarray | float, ...]
-) -> None:
+def test_the_far_limit_counts_as_the_library_does(explorer: CloudExplorer, frame: Frame) -> None:
     far = 1.25
     explorer.move(far=far)
     depth = frame[1]
@@ -165,7 +168,8 @@ def test_an_uneven_camera_keeps_its_shape_and_its_principal_point(K: np.ndarray)
     explorer = make_small(rgb=np.zeros((40, 60, 3), np.uint8), depth=depth, K=K)
     np.testing.assert_allclose(explorer.K, K, rtol=0, atol=EXACT)
     explorer.move(fov_y_deg=2 * np.degrees(np.arctan(20 / 90)))  # half of fy = 180
-    np.testing.assert_allclose(explorer.K, [[105, 0, 33.25], [0, 90, 20.5], [0, 0, 1]], atol=1e-9)
+    expected = np.array([[105, 0, 33.25], [0, 90, 20.5], [0, 0, 1]])
+    np.testing.assert_allclose(explorer.K, expected, atol=1e-9)
 
 
 def test_the_sliders_hold_the_start_and_reset_brings_it_back(explorer: CloudExplorer) -> None:
@@ -189,9 +193,7 @@ def test_a_flat_wall_at_any_depth_has_limits(depth: float) -> None:
         assert low < high
 
 
-def test_height_grows_upward_in_both_frames(
-    explorer: CloudExplorer, frame: tuple[np.ndarray | float, ...]
-) -> None:
+def test_height_grows_upward_in_both_frames(explorer: CloudExplorer, frame: Frame) -> None:
     rgb, depth, K, _, _ = frame
     low, high = explorer.view.height_limits
     assert low < 0.86 < high  # the table top
@@ -199,9 +201,7 @@ def test_height_grows_upward_in_both_frames(
     assert low < 0 < high  # below and above the camera's axis
 
 
-def test_the_poster_shows_the_cloud_on_paper(
-    explorer: CloudExplorer, frame: tuple[np.ndarray | float, ...]
-) -> None:
+def test_the_poster_shows_the_cloud_on_paper(explorer: CloudExplorer, frame: Frame) -> None:
     poster = explorer.view.draw_poster()
     assert poster.shape == (480, 640, 3)
     assert poster.dtype == np.uint8
@@ -285,7 +285,9 @@ def test_it_says_its_values_in_words(explorer: CloudExplorer) -> None:
         ),
     ],
 )
-def test_what_cannot_be_shown_is_refused(changes: dict[str, Any], kind: type, message: str) -> None:
+def test_what_cannot_be_shown_is_refused(
+    changes: dict[str, Any], kind: type[Exception], message: str
+) -> None:
     with pytest.raises(kind, match=message):
         make_small(**changes)
 

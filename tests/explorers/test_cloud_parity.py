@@ -40,7 +40,7 @@ const cloud = {
 """
 
 
-def show_from(code: str, data: dict[str, Any] | list[Any] | None) -> list[Any]:
+def show_from(code: str, data: Any) -> list[Any]:
     """Run a module that ends in `show(value)`, with `data` given; return what it shows."""
     start = (
         'import { readFileSync } from "node:fs";\nconst data = JSON.parse(readFileSync(0, "utf8"));'
@@ -240,7 +240,7 @@ def test_a_line_is_cut_where_it_passes_the_eye() -> None:
     np.testing.assert_allclose(front, [[30, 20], [80, 120]])
     assert behind == []
     # cut at a depth of 0.02: 49 hundredths of the way, x = 1.47
-    np.testing.assert_allclose(through, [[30, 20], [30 + 100 * 1.47 / 0.02, 20]])
+    np.testing.assert_allclose(through, np.array([[30, 20], [30 + 100 * 1.47 / 0.02, 20]]))
 
 
 def test_colors_follow_depth_and_height(explorer: CloudExplorer) -> None:
@@ -299,7 +299,7 @@ splatPoints(cloud, look, buffer, data.stride);
 def draw_slowly(
     points: np.ndarray,
     kept: np.ndarray,
-    fy: np.float64,
+    fy: float,
     eye: np.ndarray,
     focal: float,
     size: tuple[int, int],

@@ -46,11 +46,11 @@ def test_depth_and_wrong_readings_follow_from_process_depth() -> None:
         explorer = compute(*case)
         raw, near, far = explorer.raw, explorer.near, explorer.far
         values = explorer.values
-        assert explorer.depth == process_depth(np.float64(raw), near, far)
-        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)
+        assert explorer.depth == process_depth(np.float64(raw), near, far)  # type: ignore[arg-type]  # array-like
+        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)  # type: ignore[arg-type]  # array-like
         linear = np.interp(raw, [0, 1], [near, far])
         assert values["linear_error"] == pytest.approx(linear - explorer.depth, abs=1e-12 * far)
-        reversed_depth = process_depth(np.float64(1 - raw), near, far)
+        reversed_depth = process_depth(np.float64(1 - raw), near, far)  # type: ignore[arg-type]  # array-like
         assert values["reversed_error"] == reversed_depth - explorer.depth
 
 
@@ -79,7 +79,8 @@ def test_an_integer_step_is_the_gap_between_two_levels(bits: int) -> None:
 
 
 def test_float_levels_are_neighbors_around_the_value() -> None:
-    for value in [0.0, 1e-30, 0.1, 0.5, 0.7, np.float32(0.7), 1 - 1e-9, 1.0]:
+    values: list[Any] = [0.0, 1e-30, 0.1, 0.5, 0.7, np.float32(0.7), 1 - 1e-9, 1.0]
+    for value in values:
         low, high = _find_float_levels(float(value))
         assert low <= value <= high
         assert np.nextafter(np.float32(low), np.float32(2)) == np.float32(high)
@@ -89,7 +90,7 @@ def test_float_levels_are_neighbors_around_the_value() -> None:
 def test_float_steps_are_those_of_step_3() -> None:
     """The chapter measures them with np.spacing: a third of a millimeter at 10 m."""
     near, far, z = 0.02, 12.0, 10.0
-    raw = float(metric_to_raw(z, near, far))
+    raw = float(metric_to_raw(z, near, far))  # type: ignore[arg-type]  # array-like
     values = compute(raw, explore_depth_convention(near).view.near_place, far).values
     mm_per_unit = 1000 * z**2 * (far - near) / (near * far)
     for key, buffer in (("step_float_mm", raw), ("step_reversed_mm", 1 - raw)):
@@ -165,4 +166,4 @@ def test_values_outside_the_sliders_are_refused(arguments: dict[str, Any], messa
 
 def test_planes_must_be_numbers() -> None:
     with pytest.raises(TypeError, match="near: expected meters as a number"):
-        explore_depth_convention(near="0.02")
+        explore_depth_convention(near="0.02")  # type: ignore[arg-type]  # wrong on purpose

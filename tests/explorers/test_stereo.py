@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -34,7 +35,7 @@ class Eyes(NamedTuple):
     depth: np.ndarray
     right_depth: np.ndarray
     K: np.ndarray
-    data: object
+    data: mujoco.MjData
 
 
 @pytest.fixture(scope="module")
@@ -117,6 +118,7 @@ def test_the_interval_holds_the_disparities_it_came_from(
             explorer.move(pixel=[u, v], baseline_mm=baseline_mm, error_px=error)
             values = explorer.values
             product = f * explorer.baseline
+            assert explorer.depth_interval is not None
             z_near, z_far = explorer.depth_interval
             assert product / z_near - error == pytest.approx(values["disparity"])
             if np.isinf(z_far):
@@ -138,9 +140,12 @@ def test_a_disparity_no_larger_than_its_error_has_no_far_end(
     v, u = (int(one) for one in np.unravel_index(farthest, eyes.depth.shape))
     explorer.move(pixel=[u, v], baseline_mm=20.0)
     d = explorer.disparity
+    assert d is not None
     explorer.move(error_px=d)
+    assert explorer.depth_interval is not None
     assert explorer.depth_interval[1] == np.inf
     explorer.move(error_px=np.nextafter(d, 0))
+    assert explorer.depth_interval is not None
     assert explorer.depth_interval[1] < np.inf
     explorer.move(error_px=d + 0.1)
     assert explorer.values["z_far"] is None
@@ -164,7 +169,7 @@ def test_no_surface_means_nothing_to_match(explorer: StereoExplorer, eyes: Eyes)
     for pixel in ([int(u), int(v)], []):
         explorer.move(pixel=pixel)
         assert set(explorer.values.values()) == {None}
-        assert explorer.disparity is explorer.depth_interval is None
+        assert explorer.disparity is explorer.depth_interval is None  # type: ignore[comparison-overlap]  # None is in both
     assert explorer.pixel is None
     assert repr(explorer) == "Stereo: no surface chosen, so nothing to match"
     np.testing.assert_array_equal(explorer.view.draw_poster(), eyes.rgb)
@@ -200,6 +205,7 @@ def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(
 ) -> None:
     explorer.move(baseline_mm=40.0, error_px=1.5)
     values = explorer.values
+    assert explorer.pixel is not None
     u, _ = explorer.pixel
     given = [[u, values["u_right"]], eyes.K.tolist(), 0.04, 1.5, 10]
     shapes = evaluate("_rays", "m.findShapes(...given)", given=given)
@@ -267,7 +273,7 @@ def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(
     ],
 )
 def test_bad_arguments_are_refused(
-    eyes: Eyes, change: dict[str, Any], error: type, message: str
+    eyes: Eyes, change: dict[str, Any], error: type[Exception], message: str
 ) -> None:
     arguments = {"rgb_image": eyes.rgb, "depth_metric": eyes.depth, "K": eyes.K, **change}
     with pytest.raises(error, match=message):

@@ -6,6 +6,7 @@ import re
 
 import pytest
 
+from labutils.explorers._base import View
 from tests.helpers.node import STATIC
 from tools.explorer_views import find_view_classes
 
@@ -22,7 +23,7 @@ def test_every_script_of_a_view_has_its_view() -> None:
 
 
 @pytest.mark.parametrize("view", VIEWS, ids=lambda view: view.__name__)
-def test_a_view_is_styled_where_another_view_styles_the_same_part(view: type) -> None:
+def test_a_view_is_styled_where_another_view_styles_the_same_part(view: type[View]) -> None:
     used = set(CLASS.findall(view._esm))
     brought = set(CLASS.findall(view._css))
     elsewhere = set(CLASS.findall("".join(SHEETS.values())))

@@ -31,7 +31,7 @@ def test_focal_length_scales_with_the_picture() -> None:
 
 
 def test_intrinsics_are_float64_and_accept_numpy_sizes() -> None:
-    assert intrinsics_matrix(0.8, np.int64(320), np.int32(240)).dtype == np.float64
+    assert intrinsics_matrix(0.8, np.int64(320), np.int32(240)).dtype == np.float64  # type: ignore[arg-type]  # they do as well
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_intrinsics_are_float64_and_accept_numpy_sizes() -> None:
     ],
 )
 def test_bad_input_says_what_was_expected(
-    arguments: tuple[Any, ...], error: type, words: str
+    arguments: tuple[Any, ...], error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error, match=words):
         intrinsics_matrix(*arguments)

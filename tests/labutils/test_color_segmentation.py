@@ -66,8 +66,8 @@ def test_opening_comes_first_so_specks_go_and_holes_close() -> None:
 
 def test_numpy_ranges_and_lists_are_accepted() -> None:
     picture = make_hue_picture(60)
-    assert segment_by_color(picture, np.array([[50, 0, 0], [70, 255, 255]])).all()
-    assert segment_by_color(picture, [[50, 0, 0], [70, 255, 255]]).all()
+    assert segment_by_color(picture, np.array([[50, 0, 0], [70, 255, 255]])).all()  # type: ignore[arg-type]  # they do as well
+    assert segment_by_color(picture, [[50, 0, 0], [70, 255, 255]]).all()  # type: ignore[arg-type]  # they do as well
 
 
 @pytest.mark.parametrize(
@@ -82,7 +82,9 @@ def test_numpy_ranges_and_lists_are_accepted() -> None:
         (((0.5, 0, 0), (10, 255, 255)), TypeError, "expected whole numbers"),
     ],
 )
-def test_ranges_that_are_none_are_refused(limits: tuple[Any, ...], error: type, words: str) -> None:
+def test_ranges_that_are_none_are_refused(
+    limits: tuple[Any, ...], error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         segment_by_color(make_hue_picture(0), limits)
 
@@ -95,7 +97,9 @@ def test_ranges_that_are_none_are_refused(limits: tuple[Any, ...], error: type, 
         (np.zeros((4, 4, 4), np.uint8), ValueError, r"shape \(H, W, 3\)"),
     ],
 )
-def test_pictures_that_are_none_are_refused(picture: np.ndarray, error: type, words: str) -> None:
+def test_pictures_that_are_none_are_refused(
+    picture: np.ndarray, error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         segment_by_color(picture, HSV_RANGES["red"])
 
@@ -124,7 +128,9 @@ def test_centroid_is_the_center_of_mass_not_of_the_box() -> None:
     mask = np.zeros((60, 60), np.uint8)
     mask[10:51, 10:21] = 255
     mask[40:51, 10:51] = 255  # an L, whose box is centered at (30, 30)
-    x, y = find_object_centroid(mask)
+    centroid = find_object_centroid(mask)
+    assert centroid is not None
+    x, y = centroid
     assert x < 25
     assert y > 35
 
@@ -145,14 +151,16 @@ def test_bool_masks_and_any_nonzero_value_count_as_inside() -> None:
     mask = np.zeros((20, 20), bool)
     mask[4:11, 4:15] = True
     assert find_object_centroid(mask) == find_object_centroid(mask.astype(np.uint8)) == (9, 7)
-    assert all(isinstance(value, int) for value in find_object_centroid(mask))
+    centroid = find_object_centroid(mask)
+    assert centroid is not None
+    assert all(isinstance(value, int) for value in centroid)
 
 
 @pytest.mark.parametrize(
     ("mask", "error"),
     [(np.zeros((4, 4)), TypeError), (np.zeros((4, 4, 3), np.uint8), ValueError)],
 )
-def test_masks_that_are_none_are_refused(mask: np.ndarray, error: type) -> None:
+def test_masks_that_are_none_are_refused(mask: np.ndarray, error: type[Exception]) -> None:
     with pytest.raises(error, match="mask: expected a"):
         find_object_centroid(mask)
 

@@ -63,7 +63,7 @@ def test_result_is_float32_unless_float64_came_in(
 
 
 def test_lists_and_integers_are_accepted() -> None:
-    assert process_depth([[0, 1]], 1, 2).shape == (1, 2)
+    assert process_depth([[0, 1]], 1, 2).shape == (1, 2)  # type: ignore[arg-type]  # array-like
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_lists_and_integers_are_accepted() -> None:
     ],
 )
 def test_clip_planes_that_are_none_are_refused(
-    near: float | str, far: float, error: type, words: str
+    near: Any, far: float, error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error, match=words):
         process_depth(np.zeros(3), near, far)
@@ -96,7 +96,7 @@ def test_raw_buffer_becomes_the_true_depth_off_edges(
     model, data = scene
     with make_renderer(model, 240, 320) as renderer:
         raw = render_raw_depth(model, data, renderer, "head_camera")
-    assert (raw.dtype, raw.shape) == (np.float32, (240, 320))
+    assert (raw.dtype, raw.shape) == (np.float32, (240, 320))  # type: ignore[comparison-overlap]  # a dtype equals its type
     truth = raycast_depth(model, data, "head_camera", 320, 240)
     inner = np.isfinite(truth) & ~find_depth_edges(truth)
     error = np.abs(process_depth(raw, *get_clip_planes(model)) - truth)[inner]
@@ -143,16 +143,16 @@ def test_valid_depth_excludes_its_limits_nan_and_infinity() -> None:
 def test_depth_picture_is_black_exactly_where_there_is_no_surface() -> None:
     depth = np.array([[np.nan, np.inf, -np.inf], [0.0, -1.0, 1e-3], [2.0, 5.0, 50.0]])
     picture = visualize_depth(depth)
-    assert (picture.dtype, picture.shape) == (np.uint8, (3, 3, 3))
+    assert (picture.dtype, picture.shape) == (np.uint8, (3, 3, 3))  # type: ignore[comparison-overlap]  # a dtype equals its type
     black = (picture == 0).all(axis=-1)
     assert_array_equal(black, [[1, 1, 1], [1, 1, 0], [0, 0, 0]])
     assert_array_equal(picture[2, 1], picture[2, 2])
 
 
 def test_depth_picture_scales_with_max_depth() -> None:
-    assert_array_equal(visualize_depth([[1.0]], 2.0), visualize_depth([[2.5]], 5.0))
+    assert_array_equal(visualize_depth([[1.0]], 2.0), visualize_depth([[2.5]], 5.0))  # type: ignore[arg-type]  # array-like
     table = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[None], cv2.COLORMAP_TURBO)
-    assert_array_equal(visualize_depth([[5.0]])[0, 0], table[0, 255])
+    assert_array_equal(visualize_depth([[5.0]])[0, 0], table[0, 255])  # type: ignore[arg-type]  # array-like
 
 
 @pytest.mark.parametrize(
@@ -166,7 +166,7 @@ def test_depth_picture_scales_with_max_depth() -> None:
     ],
 )
 def test_depth_pictures_of_bad_input_say_why(
-    depth: np.ndarray, limit: float, error: type, words: str
+    depth: np.ndarray, limit: float, error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error, match=words):
         visualize_depth(depth, limit)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any, NoReturn
+
 import cv2
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import visualize_pointcloud
-from labutils._picture import _INK, Picture, spread_labels
+from labutils._picture import _INK, spread_labels
 from labutils._splat import get_view_point, make_look_at, render_points
 from labutils.figures import (
     Picture,
@@ -27,7 +29,9 @@ NAMES = ("cloud", "comparison", "depth", "histogram", "images", "lines")
 
 def decode(picture: Picture) -> np.ndarray:
     """Read a picture back: BGRA."""
-    return cv2.imdecode(np.frombuffer(picture.png, np.uint8), cv2.IMREAD_UNCHANGED)
+    image = cv2.imdecode(np.frombuffer(picture.png, np.uint8), cv2.IMREAD_UNCHANGED)
+    assert image is not None
+    return image
 
 
 def make_all() -> dict[str, Picture]:
@@ -156,7 +160,12 @@ def test_a_cloud_and_its_mirror_image_are_drawn_as_mirror_images(point_size: int
     half = np.random.default_rng(6).uniform(0.02, 0.3, (4000, 3))
     points = np.concatenate([half * [x, y, 1] for x in (1, -1) for y in (1, -1)])
     points[:, 2] += 1
-    look = {"azimuth_deg": 0, "elevation_deg": 0, "axes": False, "point_size": point_size}
+    look: dict[str, Any] = {
+        "azimuth_deg": 0,
+        "elevation_deg": 0,
+        "axes": False,
+        "point_size": point_size,
+    }
     drawn = decode(plot_cloud(points, np.ones(points.shape), **look))[..., 3] > 0
     assert drawn.shape == (1000, 1440)
     assert 0.003 < drawn.mean() < 0.9
@@ -175,6 +184,7 @@ def test_visualize_pointcloud_without_a_screen_gives_a_picture_with_the_cloud_in
     points = np.random.default_rng(0).uniform([-0.5, -0.5, 1], [0.5, 0.5, 2], (20_000, 3))
     red = np.tile([1.0, 0.0, 0.0], (len(points), 1))
     picture = visualize_pointcloud(points, red)
+    assert isinstance(picture, Picture)
     bgr = decode(picture)[..., :3].astype(int)
     # Bright red, drawn as it is: no tone mapping, no shading.
     assert ((bgr[..., 2] > 200) & (bgr[..., :2].max(axis=-1) < 60)).mean() > 0.05
@@ -185,18 +195,20 @@ def test_visualize_pointcloud_without_open3d_draws_by_itself(
 ) -> None:
     monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: "not installed")
     picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert isinstance(picture, Picture)
     assert "point cloud of 500 points" in picture.summary
 
 
 def test_visualize_pointcloud_without_a_vulkan_driver_draws_by_itself(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def fail(*_):
+    def fail(*_: object) -> NoReturn:
         raise RuntimeError("Failed to load vulkan library!")
 
     monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
     monkeypatch.setattr("labutils.cloud_view._draw_off_screen", fail)
     picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert isinstance(picture, Picture)
     assert "point cloud of 500 points" in picture.summary
 
 

@@ -7,11 +7,13 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 import labutils
+
+#: What every module imports of the others, by name.
+Imports = dict[str, set[str]]
 
 #: Geometry: what a robot without a screen, a grader or a browser needs first.
 ON_NUMPY_ALONE = ("cameras", "depth_values", "ply", "projection", "stereo")
@@ -27,13 +29,13 @@ def read_modules(package: Path) -> dict[str, ast.Module]:
     return found
 
 
-def find_imports(modules: dict[str, ast.Module]) -> dict[str, set[str]]:
+def find_imports(modules: dict[str, ast.Module]) -> Imports:
     """List what every module imports of the others, wherever in it: types and functions too.
 
     Whoever imports a module of a package from outside imports the package as well. Of the package
     that a module lies in, only what it names itself counts: the package was there first.
     """
-    found: dict[str, set[str]] = {name: set() for name in modules}
+    found: Imports = {name: set() for name in modules}
     for name, tree in modules.items():
         for node in ast.walk(tree):
             for target in _find_targets(node, modules):
@@ -56,7 +58,7 @@ def _find_targets(node: ast.AST, modules: dict[str, ast.Module]) -> list[str]:
     return submodules + plain
 
 
-def find_circle(imports: dict[str, set[str]]) -> list[str]:
+def find_circle(imports: Imports) -> list[str]:
     """Return the names along a circle, the first again at the end; [] if there is none."""
     done: set[str] = set()
 
@@ -74,7 +76,7 @@ def find_circle(imports: dict[str, set[str]]) -> list[str]:
     return next(filter(None, (visit(name, []) for name in sorted(imports))), [])
 
 
-def find_all_below(imports: dict[str, set[str]], name: str) -> set[str]:
+def find_all_below(imports: Imports, name: str) -> set[str]:
     """Return all modules that a module stands on, directly or not."""
     found: set[str] = set()
     left = [name]
@@ -86,15 +88,15 @@ def find_all_below(imports: dict[str, set[str]], name: str) -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def imports() -> dict[str, set[str] | set[Any]]:
+def imports() -> Imports:
     return find_imports(read_modules(Path(labutils.__file__).parent))
 
 
 @pytest.fixture
-def import_scratch(tmp_path: Path) -> Callable[..., Any]:
+def import_scratch(tmp_path: Path) -> Callable[[dict[str, str]], Imports]:
     """Write the modules of a package `a`, by path to text, and list what they import."""
 
-    def make(texts: dict[str, str]) -> dict[str, set[str]]:
+    def make(texts: dict[str, str]) -> Imports:
         for name, text in texts.items():
             path = tmp_path / "a" / f"{name}.py"
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -104,19 +106,19 @@ def import_scratch(tmp_path: Path) -> Callable[..., Any]:
     return make
 
 
-def test_no_module_of_the_library_stands_on_itself(imports: dict[str, set[str] | set[Any]]) -> None:
+def test_no_module_of_the_library_stands_on_itself(imports: Imports) -> None:
     assert len(imports) > 30
     circle = find_circle(imports)
     assert not circle, f"modules that import each other: {' -> '.join(circle)}"
 
 
 def test_no_module_of_the_library_imports_from_its_front_door(
-    imports: dict[str, set[str] | set[Any]],
+    imports: Imports,
 ) -> None:
     assert [name for name, others in imports.items() if "labutils" in others] == []
 
 
-def test_a_cloud_stands_on_no_renderer(imports: dict[str, set[str] | set[Any]]) -> None:
+def test_a_cloud_stands_on_no_renderer(imports: Imports) -> None:
     below = find_all_below(imports, "labutils.pointcloud")
     assert "labutils.projection" in below
     drawn = {"camera_utils", "raycast", "rendering", "_ray_casting", "scene"}
@@ -124,7 +126,7 @@ def test_a_cloud_stands_on_no_renderer(imports: dict[str, set[str] | set[Any]]) 
 
 
 def test_geometry_stands_on_nothing_that_is_not_geometry(
-    imports: dict[str, set[str] | set[Any]],
+    imports: Imports,
 ) -> None:
     below = {f"labutils.{name}" for name in (*ON_NUMPY_ALONE, "_constants", "_guards")}
     for name in ON_NUMPY_ALONE:
@@ -141,13 +143,15 @@ def test_geometry_stands_on_nothing_that_is_not_geometry(
     ],
 )
 def test_a_circle_is_found_and_named_wherever_the_import_stands(
-    import_scratch: Callable[..., Any], hidden: str
+    import_scratch: Callable[[dict[str, str]], Imports], hidden: str
 ) -> None:
     imports = import_scratch({"__init__": "", "one": "import a.two", "two": hidden})
     assert find_circle(imports) == ["a.one", "a.two", "a.one"]
 
 
-def test_a_circle_through_a_package_is_found(import_scratch: Callable[..., Any]) -> None:
+def test_a_circle_through_a_package_is_found(
+    import_scratch: Callable[[dict[str, str]], Imports],
+) -> None:
     texts = {
         "__init__": "",
         "one": "from a.sub.deep import x",
@@ -159,7 +163,9 @@ def test_a_circle_through_a_package_is_found(import_scratch: Callable[..., Any])
     assert find_circle(imports) == ["a.one", "a.sub", "a.sub.other", "a.one"]
 
 
-def test_neighbors_in_a_package_make_no_circle_with_it(import_scratch: Callable[..., Any]) -> None:
+def test_neighbors_in_a_package_make_no_circle_with_it(
+    import_scratch: Callable[[dict[str, str]], Imports],
+) -> None:
     imports = import_scratch(
         {"__init__": "from a.one import x", "one": "from a.two import x", "two": "import os"}
     )
@@ -196,7 +202,7 @@ def test_a_camera_is_read_by_attribute_from_whatever_has_them() -> None:
     from labutils.cameras import get_camera_intrinsics, get_camera_pose  # noqa: PLC0415
 
     class Camera:
-        def __init__(self, number, name) -> None:
+        def __init__(self, number: int, name: str) -> None:
             self.id, self.name = number, name
 
     class Model:
@@ -205,7 +211,7 @@ def test_a_camera_is_read_by_attribute_from_whatever_has_them() -> None:
         cam_sensorsize = np.zeros((1, 2))
         cam_fovy = np.array([90.0])
 
-        def camera(self, key):
+        def camera(self, key: int | str) -> Camera:
             return {0: Camera(0, "eye"), "eye": Camera(0, "eye")}[key]
 
     class Data:

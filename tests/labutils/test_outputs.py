@@ -10,12 +10,10 @@ from pathlib import Path
 import labutils as lab  # isort: skip - chooses the OpenGL backend, so before MuJoCo
 
 from collections.abc import Callable
-from typing import Any
 
 import cv2
 import numpy as np
 import pytest
-from numpy.random._generator import Generator
 
 from labutils.raycast import RaycastRenderer
 
@@ -39,18 +37,20 @@ def rng() -> np.random.Generator:
 
 
 @pytest.fixture
-def rgb(rng: Generator) -> np.ndarray:
+def rgb(rng: np.random.Generator) -> np.ndarray:
     """Noise, so that no channel and no axis equals another; odd sizes."""
     return rng.integers(0, 256, (9, 13, 3), dtype=np.uint8)
 
 
 @pytest.fixture
-def cloud(rng: Generator) -> tuple[np.ndarray, np.ndarray]:
+def cloud(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     return rng.normal(size=(17, 3)).astype(np.float32), rng.random((17, 3)).astype(np.float32)
 
 
 def read_rgb(path: Path) -> np.ndarray:
-    return cv2.cvtColor(cv2.imread(str(path), cv2.IMREAD_UNCHANGED), cv2.COLOR_BGR2RGB)
+    bgr = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    assert bgr is not None
+    return cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)
 
 
 def read_ply(path: Path) -> np.ndarray:
@@ -76,12 +76,13 @@ def test_rgb_view_shows_the_same_colors(tmp_path: Path, rgb: np.ndarray) -> None
     np.testing.assert_array_equal(read_rgb(path), rgb)
 
 
-def test_depth_view_is_the_colored_depth(tmp_path: Path, rng: Generator) -> None:
+def test_depth_view_is_the_colored_depth(tmp_path: Path, rng: np.random.Generator) -> None:
     depth = rng.uniform(0.5, 6.0, (9, 13)).astype(np.float32)
     depth[0, 0] = np.nan
     path = lab.save_depth_view(tmp_path, depth, max_depth=4.0)
     assert path == tmp_path / "depth_view.png"
     picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    assert picture is not None
     np.testing.assert_array_equal(picture, lab.visualize_depth(depth, max_depth=4.0))
     assert not picture[0, 0].any()
 
@@ -160,7 +161,7 @@ def test_an_empty_cloud_makes_readable_files(tmp_path: Path) -> None:
     ],
 )
 def test_bad_input_leaves_no_file_behind(
-    tmp_path: Path, save: Callable[..., Any], message: str
+    tmp_path: Path, save: Callable[[Path], Path], message: str
 ) -> None:
     with pytest.raises((TypeError, ValueError), match=message):
         save(tmp_path)

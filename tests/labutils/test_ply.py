@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,10 +22,12 @@ def test_open3d_reads_back_what_was_written(tmp_path: Path, count: int, colored:
     rng = np.random.default_rng(count)
     points = rng.normal(size=(count, 3)).astype(np.float32)
     colors = rng.integers(0, 256, (count, 3)) / 255 if colored else None
-    cloud = o3d.io.read_point_cloud(str(write_ply(tmp_path / "a.ply", points, colors)))
+    path: Any = str(write_ply(tmp_path / "a.ply", points, colors))  # Open3D's stub: no str
+    cloud = o3d.io.read_point_cloud(path)
     assert_array_equal(np.asarray(cloud.points), points)
     assert cloud.has_colors() is colored
     if colored:
+        assert colors is not None
         assert_array_equal(np.round(np.asarray(cloud.colors) * 255), np.round(colors * 255))
 
 

@@ -36,6 +36,7 @@ def test_cloud_equals_the_formula_pixel_by_pixel(
     depth[rng.random(shape) < holes] = np.nan
     rgb = rng.integers(0, 256, (*shape, 3), np.uint8)
     points, colors = depth_to_pointcloud(depth, K, rgb)
+    assert colors is not None
     v, u = np.nonzero(~np.isnan(depth))
     z = depth[v, u].astype(np.float64)
     expected = np.stack([(u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z, z], axis=1)
@@ -58,6 +59,7 @@ def test_a_few_invalid_rows_do_not_disturb_their_neighbors(K: np.ndarray) -> Non
     depth = np.full((200, 30), 2.0, np.float32)
     depth[90:95, 10:20] = np.nan
     points, colors = depth_to_pointcloud(depth, K, np.zeros((200, 30, 3), np.uint8))
+    assert colors is not None
     assert len(points) == len(colors) == 200 * 30 - 50
     pixels = points_to_pixels(points, K)
     v, u = np.nonzero(~np.isnan(depth))
@@ -73,6 +75,7 @@ def test_points_are_float32_unless_float64_came_in(
 ) -> None:
     points, colors = depth_to_pointcloud(np.ones((3, 4), given), K, np.zeros((3, 4, 3), np.uint8))
     assert points.dtype == returned
+    assert colors is not None
     assert colors.dtype == np.float32
 
 
@@ -80,6 +83,7 @@ def test_points_are_float32_unless_float64_came_in(
 def test_a_picture_of_one_color_keeps_it(K: np.ndarray, value: int) -> None:
     rgb = np.full((5, 6, 3), value, np.uint8)
     _, colors = depth_to_pointcloud(np.ones((5, 6)), K, rgb)
+    assert colors is not None
     assert_allclose(colors, value / 255, rtol=2 * FLOAT32_RTOL)
 
 
@@ -109,7 +113,7 @@ def test_results_of_two_calls_share_no_memory(K: np.ndarray) -> None:
     ],
 )
 def test_bad_pictures_say_why(
-    K: np.ndarray, depth: np.ndarray, rgb: np.ndarray | None, error: type, words: str
+    K: np.ndarray, depth: np.ndarray, rgb: np.ndarray | None, error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error, match=words):
         depth_to_pointcloud(depth, K, rgb)
@@ -141,22 +145,22 @@ def test_projecting_undoes_back_projecting(K: np.ndarray) -> None:
 
 
 def test_points_behind_the_camera_have_no_pixel(K: np.ndarray) -> None:
-    pixels = points_to_pixels([[0, 0, 1.0], [0, 0, 0.0], [0, 0, -1.0]], K)
+    pixels = points_to_pixels([[0, 0, 1.0], [0, 0, 0.0], [0, 0, -1.0]], K)  # type: ignore[arg-type]  # array-like
     assert_allclose(pixels[0], [K[0, 2], K[1, 2]], rtol=0, atol=EXACT)
     assert np.isnan(pixels[1:]).all()
 
 
 def test_nan_depth_gives_a_nan_point(K: np.ndarray) -> None:
-    assert np.isnan(pixels_to_points([[3, 4]], [np.nan], K)).all()
+    assert np.isnan(pixels_to_points([[3, 4]], [np.nan], K)).all()  # type: ignore[arg-type]  # array-like
 
 
 def test_pixels_and_depths_must_match(K: np.ndarray) -> None:
     with pytest.raises(ValueError, match=r"depth: expected one value per pixel \(2\)"):
-        pixels_to_points([[1, 2], [3, 4]], [1.0], K)
+        pixels_to_points([[1, 2], [3, 4]], [1.0], K)  # type: ignore[arg-type]  # array-like
     with pytest.raises(ValueError, match=r"pixels: expected shape \(N, 2\)"):
-        pixels_to_points([1, 2], [1.0], K)
+        pixels_to_points([1, 2], [1.0], K)  # type: ignore[arg-type]  # array-like
     with pytest.raises(ValueError, match=r"points: expected shape \(N, 3\)"):
-        points_to_pixels([[1, 2]], K)
+        points_to_pixels([[1, 2]], K)  # type: ignore[arg-type]  # array-like
 
 
 def test_world_and_camera_frames_undo_each_other() -> None:
@@ -174,9 +178,8 @@ def test_world_and_camera_frames_undo_each_other() -> None:
 
 def test_a_camera_with_mujocos_axes_looks_down_its_negative_z() -> None:
     # With cam_xmat = identity MuJoCo looks along world -z, y up; forward in OpenCV is +z.
-    ahead, right, below = camera_to_world(
-        [[0, 0, 2.0], [1.0, 0, 0], [0, 1.0, 0]], [10, 20, 30], np.eye(3)
-    )
+    points = [[0, 0, 2.0], [1.0, 0, 0], [0, 1.0, 0]]
+    ahead, right, below = camera_to_world(points, [10, 20, 30], np.eye(3))  # type: ignore[arg-type]  # array-like
     assert_allclose(ahead, [10, 20, 28], rtol=0, atol=EXACT)
     assert_allclose(right, [11, 20, 30], rtol=0, atol=EXACT)
     assert_allclose(below, [10, 19, 30], rtol=0, atol=EXACT)

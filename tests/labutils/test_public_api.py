@@ -66,6 +66,7 @@ def test_public_docstrings_name_every_parameter_and_what_is_returned(name: str) 
 def read_statement(name: str) -> str:
     """Read a docstring, and those of the functions it points to for the rest of the statement."""
     text = inspect.getdoc(getattr(labutils, name))
+    assert text is not None, name
     for owner in re.findall(r"\b[Aa]s in `(\w+)`", text):
         assert owner in labutils.__all__, f"{name}: points to {owner}, which nobody can find"
         if owner != name:
@@ -74,7 +75,7 @@ def read_statement(name: str) -> str:
 
 
 def test_a_docstring_that_points_nowhere_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    def save(thing):
+    def save(thing: object) -> None:
         """Save; parameters as in `nothing`."""
 
     monkeypatch.setattr(labutils, "save_outputs", save)

@@ -15,7 +15,6 @@ from labutils import get_clip_planes, make_renderer, metric_to_raw, render_camer
 from labutils import raycast as truth
 from labutils.renderers import opengl, rays
 from labutils.renderers.protocol import Renderer
-from labutils.renderers.rays import RaycastRenderer
 
 METHODS = [name for name, one in vars(Renderer).items() if inspect.isfunction(one)]
 METHODS = [name for name in METHODS if not name.startswith("__") and "subclass" not in name]
@@ -37,7 +36,7 @@ def test_a_renderer_takes_the_arguments_of_the_protocol(kind: type, name: str) -
 
 @pytest.mark.parametrize("make", [make_renderer, rays.RaycastRenderer])
 def test_a_renderer_is_one_of_the_protocol_and_says_its_size(
-    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Any] | type[RaycastRenderer]
+    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Renderer]
 ) -> None:
     with make(scene[0], 24, 33) as renderer:
         assert isinstance(renderer, Renderer)
@@ -75,10 +74,10 @@ def test_any_renderer_of_the_protocol_has_a_raw_depth(
     """A renderer nobody has written yet: neither MuJoCo's nor ours."""
 
     class Delegate:
-        def __init__(self, inner) -> None:
+        def __init__(self, inner: Renderer) -> None:
             self._inner = inner
 
-        def __getattr__(self, name):
+        def __getattr__(self, name: str) -> Any:
             return getattr(self._inner, name)
 
     model, data = scene

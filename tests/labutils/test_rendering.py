@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import NoOpenGLWarning, make_renderer, render_camera, render_segmentation, rendering
 from labutils.raycast import RaycastRenderer
-from labutils.renderers.rays import RaycastRenderer
+from labutils.renderers.protocol import Renderer
 
 
 @pytest.fixture
@@ -49,8 +49,8 @@ def test_render_camera_returns_color_bytes_and_metric_depth(
     model, data = scene
     with make_renderer(model, 121, 161) as renderer:
         rgb, depth = render_camera(model, data, renderer, "head_camera")
-    assert (rgb.shape, rgb.dtype) == ((121, 161, 3), np.uint8)
-    assert (depth.shape, depth.dtype) == ((121, 161), np.float32)
+    assert (rgb.shape, rgb.dtype) == ((121, 161, 3), np.uint8)  # type: ignore[comparison-overlap]  # a dtype equals its type
+    assert (depth.shape, depth.dtype) == ((121, 161), np.float32)  # type: ignore[comparison-overlap]  # a dtype equals its type
     assert 0.4 < depth.min() < 1.0
 
 
@@ -125,9 +125,9 @@ def test_an_unknown_camera_is_named_with_the_known_ones(
 )
 def test_a_size_that_is_none_is_refused(
     scene: tuple[mujoco.MjModel, mujoco.MjData],
-    height: int | bool,
-    width: float,
-    error: type,
+    height: Any,
+    width: Any,
+    error: type[Exception],
     words: str,
 ) -> None:
     with pytest.raises(error, match=words):
@@ -200,7 +200,7 @@ def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(
 
 @pytest.mark.parametrize("make", [make_renderer, RaycastRenderer])
 def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(
-    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Any] | type[RaycastRenderer]
+    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Renderer]
 ) -> None:
     model, _ = scene
     with make(model, 24, 32) as renderer:

@@ -51,6 +51,7 @@ def test_depth_and_cloud_agree_with_the_rays_from_random_poses(
     valid = find_valid_depth(depth)
     hits = raycast_points(model, data, camera, width, height)[valid]
     error_mm = 1000 * np.linalg.norm(world - hits, axis=1)[~find_depth_edges(truth)[valid]]
+    assert colors is not None
     assert len(colors) == len(points) == valid.sum()
     assert np.median(error_mm) < CLOUD_MEDIAN_MM
     assert np.percentile(error_mm, 99) < CLOUD_P99_MM
@@ -97,7 +98,7 @@ def test_a_found_pixel_lands_on_the_objects_true_surface(
     K, _ = get_camera_intrinsics(model, "head_camera", width, height)
     cam_id = model.camera("head_camera").id
     v, u = np.round(np.argwhere(labels == model.body("red_ball").id).mean(axis=0)).astype(int)
-    point = pixels_to_points([[u, v]], [depth[v, u]], K)
+    point = pixels_to_points([[u, v]], [depth[v, u]], K)  # type: ignore[arg-type]  # array-like
     world = camera_to_world(point, data.cam_xpos[cam_id], data.cam_xmat[cam_id])[0]
     radius = model.geom_size[model.body_geomadr[model.body("red_ball").id], 0]
     distance = np.linalg.norm(world - data.body("red_ball").xpos)
