@@ -63,7 +63,7 @@ def choose_pixels(depth: np.ndarray, count: int, seed: int) -> list[list[int]]:
     return [[int(u[i]), int(v[i])] for i in chosen]
 
 
-def project_into_right_eye(eyes: Eyes, u: int, v: int) -> tuple[np.ndarray, np.float64]:
+def project_into_right_eye(eyes: Eyes, u: int, v: int) -> tuple[np.ndarray, float]:
     """Follow one pixel of the left eye through the world into the right eye, with labutils."""
     left, right = (eyes.data.camera(f"{name}_eye") for name in ("left", "right"))
     point = pixels_to_points(np.array([[u, v]]), np.array([eyes.depth[v, u]]), eyes.K)
