@@ -105,12 +105,12 @@ def _name_strangers(name: str, imports: set[str], allowed: set[str]) -> list[str
     ]
 
 
-def test_every_file_imports_only_rooms_below_its_own():
+def test_every_file_imports_only_rooms_below_its_own() -> None:
     problems = find_broken_arrows()
     assert not problems, "\n".join(problems)
 
 
-def test_all_rooms_were_read():
+def test_all_rooms_were_read() -> None:
     names = [path.relative_to(ROOT).as_posix() for path in list_files(ROOT, "*.py")]
     for folder in set(ARROWS) - {"exercises"}:
         assert any(name.startswith(f"{folder}/") for name in names), folder
@@ -119,7 +119,7 @@ def test_all_rooms_were_read():
     assert len(pages) >= 17
 
 
-def test_nobody_changes_where_python_looks_for_modules():
+def test_nobody_changes_where_python_looks_for_modules() -> None:
     files = [
         path.relative_to(ROOT).as_posix()
         for path in list_files(ROOT, "*.py")
@@ -146,7 +146,9 @@ def test_nobody_changes_where_python_looks_for_modules():
         ("setup.py", "import sys", "stands in no room of the table"),
     ],
 )
-def test_an_arrow_that_points_back_is_named(name, code, expected, tmp_path):
+def test_an_arrow_that_points_back_is_named(
+    name: str, code: str, expected: str, tmp_path: Path
+) -> None:
     (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / name).write_text(code, encoding="utf-8")
     (problem,) = find_broken_arrows(tmp_path)
@@ -154,7 +156,7 @@ def test_an_arrow_that_points_back_is_named(name, code, expected, tmp_path):
     assert expected in problem
 
 
-def test_an_arrow_that_points_forward_is_let_through(tmp_path):
+def test_an_arrow_that_points_forward_is_let_through(tmp_path: Path) -> None:
     (tmp_path / "tools").mkdir()
     code = "import labutils.checks\nfrom content import toc\nfrom . import a\nimport numpy"
     (tmp_path / "tools" / "a.py").write_text(code, encoding="utf-8")
@@ -173,5 +175,5 @@ def test_an_arrow_that_points_forward_is_let_through(tmp_path):
         ("import os, sys\nos.path.join(sys.prefix, 'x')  # not sys.path.insert", False),
     ],
 )
-def test_every_way_to_change_the_path_is_seen(code, changes):
+def test_every_way_to_change_the_path_is_seen(code: str, changes: bool) -> None:
     assert changes_the_path(ast.parse(code)) is changes

@@ -3,7 +3,8 @@
 import json
 import re
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import nbformat
 import pytest
@@ -32,34 +33,36 @@ Handler of Sphinx
 )
 
 
-def load(path, monkeypatch):
+def load(path: str, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """Import a script that belongs to no package."""
     monkeypatch.syspath_prepend(str((ROOT / path).parent))
     return load_script(path)
 
 
 @pytest.fixture
-def manifest():
+def manifest() -> dict[str, Any]:
     return json.loads((ROOT / "package.json").read_text())
 
 
 @pytest.fixture
-def lock():
+def lock() -> dict[str, Any]:
     return json.loads((ROOT / "package-lock.json").read_text())
 
 
 @pytest.fixture
-def config():
+def config() -> dict[str, Any]:
     return yaml.safe_load((ROOT / "_config.yml").read_text())
 
 
-def test_front_end_packages_are_pinned_exactly_and_locked(manifest, lock):
+def test_front_end_packages_are_pinned_exactly_and_locked(
+    manifest: dict[str, Any], lock: dict[str, Any]
+) -> None:
     for name, wanted in (manifest["dependencies"] | manifest["devDependencies"]).items():
         assert re.fullmatch(r"\d+\.\d+\.\d+", wanted), name
         assert lock["packages"][f"node_modules/{name}"]["version"] == wanted
 
 
-def test_every_locked_package_has_a_checksum_and_no_address(lock):
+def test_every_locked_package_has_a_checksum_and_no_address(lock: dict[str, Any]) -> None:
     packages = {name: entry for name, entry in lock["packages"].items() if name}
     assert packages
     for name, entry in packages.items():
@@ -67,13 +70,13 @@ def test_every_locked_package_has_a_checksum_and_no_address(lock):
         assert "resolved" not in entry, name
 
 
-def test_no_lock_file_says_where_packages_came_from():
+def test_no_lock_file_says_where_packages_came_from() -> None:
     # A mirror must serve as well as the public registry; the hashes say what is right.
     for name in ("package.json", "package-lock.json", "requirements.in", "requirements.txt"):
         assert not ADDRESS_OF_A_PACKAGE.search((ROOT / name).read_text()), name
 
 
-def find_place(name, parent, packages):
+def find_place(name: str, parent: str, packages: dict[str, Any]) -> str | None:
     """Look where Node looks: inside the package that asks, then outward, folder by folder."""
     while parent and f"{parent}/node_modules/{name}" not in packages:
         parent = parent.rpartition("/node_modules/")[0]
@@ -81,8 +84,8 @@ def find_place(name, parent, packages):
     return place if place in packages else None
 
 
-def test_a_package_inside_another_is_found_before_one_at_the_top():
-    packages = {
+def test_a_package_inside_another_is_found_before_one_at_the_top() -> None:
+    packages: dict[str, Any] = {
         "node_modules/wrap": {},
         "node_modules/wrap/node_modules/width": {},
         "node_modules/width": {},
@@ -95,7 +98,7 @@ def test_a_package_inside_another_is_found_before_one_at_the_top():
     assert find_place("gone", inner, packages) is None
 
 
-def test_every_package_is_locked_with_all_it_needs(lock):
+def test_every_package_is_locked_with_all_it_needs(lock: dict[str, Any]) -> None:
     packages = lock["packages"]
     for place, entry in packages.items():
         for name in entry.get("dependencies", {}) | entry.get("devDependencies", {}):
@@ -104,34 +107,34 @@ def test_every_package_is_locked_with_all_it_needs(lock):
             assert packages[found]["integrity"]
 
 
-def test_repository_address_is_stated_once(config):
+def test_repository_address_is_stated_once(config: dict[str, Any]) -> None:
     address = config["repository"]["url"]
     assert (ROOT / "_config.yml").read_text().count(address) == 1
 
 
-def test_an_error_in_a_cell_fails_the_build(config):
+def test_an_error_in_a_cell_fails_the_build(config: dict[str, Any]) -> None:
     assert config["execute"]["allow_errors"] is False
     assert config["sphinx"]["config"]["nb_execution_raise_on_error"] is True
 
 
-def test_every_hook_is_switched_on(config):
+def test_every_hook_is_switched_on(config: dict[str, Any]) -> None:
     hooks = {path.stem for path in (ROOT / "book" / "_ext").glob("*.py")}
     assert hooks == set(config["sphinx"]["local_extensions"])
 
 
-def test_every_style_sheet_is_loaded(config):
+def test_every_style_sheet_is_loaded(config: dict[str, Any]) -> None:
     sheets = {path.name for path in (ROOT / "book" / "_static").glob("*.css")}
     assert sheets == set(config["sphinx"]["config"]["html_css_files"])
 
 
-def test_every_script_is_loaded(config):
+def test_every_script_is_loaded(config: dict[str, Any]) -> None:
     scripts = {path.name for path in (ROOT / "book" / "_static").glob("*.js")}
     options = config["sphinx"]["config"]
     named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
     assert scripts <= named
 
 
-def test_strip_marks_the_page_and_links_the_others(monkeypatch):
+def test_strip_marks_the_page_and_links_the_others(monkeypatch: pytest.MonkeyPatch) -> None:
     strip = load("book/_ext/progress_strip.py", monkeypatch)
     pages = {page for _, page in strip.STAGES} - {"book/step6_view"}
     html = strip.strip_html("book/step3_depth", pages, lambda page: f"../{page}.html")
@@ -141,10 +144,12 @@ def test_strip_marks_the_page_and_links_the_others(monkeypatch):
     assert html.count("<li>") == len(strip.STAGES)
 
 
-def test_widget_ids_are_the_same_whatever_the_random_ids_were(monkeypatch):
+def test_widget_ids_are_the_same_whatever_the_random_ids_were(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     hook = load("book/_ext/stable_ids.py", monkeypatch)
 
-    def build(slider, layout, view, link):
+    def build(slider: str, layout: str, view: str, link: str) -> tuple[str, str]:
         models = {
             link: {"state": {"source": [f"IPY_MODEL_{slider}", "value"]}},
             slider: {"state": {"layout": f"IPY_MODEL_{layout}", "value": 45}},
@@ -155,7 +160,7 @@ def test_widget_ids_are_the_same_whatever_the_random_ids_were(monkeypatch):
         script = SimpleNamespace(attributes={"type": hook.WIDGET_STATE, "body": state})
         body = f'<script type="{hook.WIDGET_STATE.replace("state", "view")}">'
         body += json.dumps({"model_id": view}) + "</script>"
-        context = {"body": body, "script_files": [script]}
+        context: dict[str, Any] = {"body": body, "script_files": [script]}
         hook.rename_models(None, "book/page", "", context, None)
         return context["body"], script.attributes["body"]
 
@@ -166,7 +171,7 @@ def test_widget_ids_are_the_same_whatever_the_random_ids_were(monkeypatch):
     assert view in json.loads(first[1])["state"]
 
 
-def test_tracebacks_name_files_from_the_repository_on(monkeypatch):
+def test_tracebacks_name_files_from_the_repository_on(monkeypatch: pytest.MonkeyPatch) -> None:
     hook = load("book/_ext/local_paths.py", monkeypatch)
     app = SimpleNamespace(srcdir="/somewhere/else")
     context = {"body": "File /somewhere/else/labutils/x.py:3"}
@@ -174,7 +179,9 @@ def test_tracebacks_name_files_from_the_repository_on(monkeypatch):
     assert context["body"] == "File labutils/x.py:3"
 
 
-def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
+def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     hook = load("book/_ext/clean_notebooks.py", monkeypatch)
     output = nbformat.v4.new_output("stream", text="6 points\n")
     cell = nbformat.v4.new_code_cell("print()", outputs=[output], execution_count=3)
@@ -205,7 +212,7 @@ def test_downloaded_notebooks_carry_no_outputs_and_no_random_ids(monkeypatch):
         ("something\nwithout a marker\n", "without a marker", "WARNING"),
     ],
 )
-def test_a_failed_build_shows_its_reason(log, expected, unwanted):
+def test_a_failed_build_shows_its_reason(log: str, expected: str, unwanted: str) -> None:
     said = book._what_went_wrong(log)
     assert expected in said
     assert unwanted not in said

@@ -28,30 +28,33 @@ from tools.build import memory
 from tools.build.edition import EDITIONS, get_edition
 from tools.editions import instructor_pages as make_instructor_pages
 from tools.editions import student as make_student
+from tools.editions.card_code import is_answered_by_library
 from tools.editions.mistakes import describe_residual, measure
 from tools.editions.plain_markdown import Flattener, find_labels
 
 
 @pytest.fixture(scope="module")
-def files():
+def files() -> dict[str, bytes]:
     return make_student.make_files()
 
 
 @pytest.fixture(scope="module")
-def pages():
+def pages() -> dict[Path, str]:
     return make_instructor_pages.make_pages(ROOT)
 
 
 # --- which book is built ---
 
 
-def test_the_student_edition_is_the_default():
+def test_the_student_edition_is_the_default() -> None:
     assert get_edition("").name == get_edition("student").name == "student"
     assert get_edition("").html == ROOT / "_build" / "html"
     assert get_edition("instructor").html == ROOT / "_build" / "instructor" / "html"
 
 
-def test_an_unknown_edition_is_refused_before_anything_is_built(monkeypatch, capsys):
+def test_an_unknown_edition_is_refused_before_anything_is_built(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("EDITION", "teacher")
     monkeypatch.setattr(build_book, "gather", lambda _: pytest.fail("went on"))
     assert build_book.main() == 2
@@ -59,14 +62,14 @@ def test_an_unknown_edition_is_refused_before_anything_is_built(monkeypatch, cap
     assert "EDITION: expected one of student, instructor, got 'teacher'" in error
 
 
-def test_the_editions_share_no_memory():
+def test_the_editions_share_no_memory() -> None:
     student, instructor = EDITIONS.values()
     for name in (*memory.CELL_MEMORY, *memory.PAGE_MEMORY):
         assert student.build / name != instructor.build / name
         assert not (instructor.build / name).is_relative_to(student.build / name)
 
 
-def test_only_the_instructor_edition_depends_on_the_solutions():
+def test_only_the_instructor_edition_depends_on_the_solutions() -> None:
     student, instructor = EDITIONS.values()
     assert student.sources == ()
     assert "solutions" in instructor.sources
@@ -76,7 +79,7 @@ def test_only_the_instructor_edition_depends_on_the_solutions():
     assert "solutions" in config["exclude_patterns"]
 
 
-def test_the_configuration_of_the_instructor_edition_differs_where_it_has_to():
+def test_the_configuration_of_the_instructor_edition_differs_where_it_has_to() -> None:
     config = yaml.safe_load((ROOT / "_config.yml").read_text(encoding="utf-8"))
     hooks = config["sphinx"]["local_extensions"]
     made = make_instructor_pages.make_config(
@@ -93,7 +96,7 @@ def test_the_configuration_of_the_instructor_edition_differs_where_it_has_to():
 # --- what its pages say ---
 
 
-def test_every_card_has_its_section_with_everything_in_it(pages):
+def test_every_card_has_its_section_with_everything_in_it(pages: dict[Path, str]) -> None:
     for exercise in load_exercises().values():
         text = pages[make_instructor_pages.PAGES / f"{exercise.chapter}.md"]
         section = text.split(f"## `{exercise.name}`: ")[1].split("\n## ")[0]
@@ -112,7 +115,7 @@ def test_every_card_has_its_section_with_everything_in_it(pages):
         assert sum(shares) == pytest.approx(exercise.points, abs=0.01 * len(shares))
 
 
-def test_every_chapter_has_notes_and_minutes(pages):
+def test_every_chapter_has_notes_and_minutes(pages: dict[Path, str]) -> None:
     for chapter in list_taught():
         notes = make_instructor_pages.read_notes(ROOT, chapter)
         count = len(notes.splitlines())
@@ -136,12 +139,12 @@ def test_every_chapter_has_notes_and_minutes(pages):
         ("no card\n", 0, 0),
     ],
 )
-def test_minutes_are_read_from_the_card(card, reading, doing):
+def test_minutes_are_read_from_the_card(card: str, reading: int, doing: int) -> None:
     minutes = parse_minutes(card)
     assert (minutes.reading, minutes.doing) == (reading, doing)
 
 
-def test_what_is_measured_of_a_mistake_agrees_with_the_card():
+def test_what_is_measured_of_a_mistake_agrees_with_the_card() -> None:
     found = {one.name: one for one in measure(load_exercises()["process_depth"])}
     assert found["nan-lost"].cases == (2, 3)  # the even ramp has no NaN
     assert found["not-clipped"].gate == "range"
@@ -150,7 +153,7 @@ def test_what_is_measured_of_a_mistake_agrees_with_the_card():
     assert 0 < wrap.kept < 1  # most colors do not wrap
 
 
-def test_residuals_are_told_in_units_and_tolerances():
+def test_residuals_are_told_in_units_and_tolerances() -> None:
     part = Part("depth", "depth", "float", atol=0.001, unit="m")
     due, off = np.zeros((2, 2)), np.array([[0, 0.25], [0, 0]])
     size, words = describe_residual((part,), (due,), (off,))
@@ -166,7 +169,7 @@ def test_residuals_are_told_in_units_and_tolerances():
 # --- the student's zip ---
 
 
-def test_every_page_is_in_the_zip_as_a_notebook_or_as_text(files):
+def test_every_page_is_in_the_zip_as_a_notebook_or_as_text(files: dict[str, bytes]) -> None:
     for page in get_toc_pages():
         text = (ROOT / page).with_suffix(".md").read_text(encoding="utf-8")
         ending = ".ipynb" if "```{code-cell}" in text else ".md"
@@ -175,7 +178,7 @@ def test_every_page_is_in_the_zip_as_a_notebook_or_as_text(files):
         assert f"]({name})" in files["README.md"].decode()
 
 
-def test_notebooks_are_clean_and_name_the_kernel(files):
+def test_notebooks_are_clean_and_name_the_kernel(files: dict[str, bytes]) -> None:
     contents = [content for name, content in files.items() if name.endswith(".ipynb")]
     assert len(contents) == len(get_executable_pages())
     for content in contents:
@@ -187,7 +190,7 @@ def test_notebooks_are_clean_and_name_the_kernel(files):
                 assert (cell.outputs, cell.execution_count) == ([], None)
 
 
-def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files):
+def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files: dict[str, bytes]) -> None:
     read = 0
     for name, content in files.items():
         if name.endswith(".ipynb"):
@@ -204,7 +207,7 @@ def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files):
     assert read == len(get_toc_pages())
 
 
-def test_links_and_pictures_lead_to_files_of_the_zip(files):
+def test_links_and_pictures_lead_to_files_of_the_zip(files: dict[str, bytes]) -> None:
     followed = set()
     for name, content in files.items():
         if not name.endswith((".ipynb", ".md")):
@@ -217,7 +220,7 @@ def test_links_and_pictures_lead_to_files_of_the_zip(files):
     assert {".md", ".ipynb", ".svg"} <= followed
 
 
-def test_two_zips_are_the_same_to_the_byte(files):
+def test_two_zips_are_the_same_to_the_byte(files: dict[str, bytes]) -> None:
     first, second = make_student.pack(files), make_student.pack(make_student.make_files())
     assert hashlib.sha256(first).hexdigest() == hashlib.sha256(second).hexdigest()
     with zipfile.ZipFile(io.BytesIO(first)) as archive:
@@ -225,7 +228,9 @@ def test_two_zips_are_the_same_to_the_byte(files):
         assert {member.date_time for member in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
 
 
-def test_pyproject_of_the_zip_installs_the_library_and_nothing_else(files):
+def test_pyproject_of_the_zip_installs_the_library_and_nothing_else(
+    files: dict[str, bytes],
+) -> None:
     import tomllib  # noqa: PLC0415
 
     project = tomllib.loads(files["pyproject.toml"].decode())
@@ -241,13 +246,15 @@ def test_pyproject_of_the_zip_installs_the_library_and_nothing_else(files):
         assert license_file in files
 
 
-def test_a_link_to_a_page_outside_is_refused():
+def test_a_link_to_a_page_outside_is_refused() -> None:
     with pytest.raises(ValueError, match=r"expected a link to a page of _toc.yml, got gone\.md"):
         make_student.verify_links("[x](gone.md)", "book/a.md", {"book/a.md": "book/a.md"})
 
 
-def flatten(text, page="book/page.md", labels=None):
-    def resolve(link):
+def flatten(
+    text: str, page: str = "book/page.md", labels: dict[str, tuple[str, str]] | None = None
+) -> str:
+    def resolve(link: str) -> str:
         return link.replace(".md", ".ipynb")
 
     return Flattener(page, ROOT, labels or {}, resolve).flatten(text)
@@ -272,11 +279,11 @@ def flatten(text, page="book/page.md", labels=None):
         ("```python\n{term}\n```\n", "```python\n{term}\n```\n"),
     ],
 )
-def test_markup_of_the_book_becomes_plain(text, plain):
+def test_markup_of_the_book_becomes_plain(text: str, plain: str) -> None:
     assert flatten(text) == plain
 
 
-def test_references_become_links_to_the_heading():
+def test_references_become_links_to_the_heading() -> None:
     labels = find_labels({"book/other.md": "(far)=\n## How far?\n"})
     assert flatten("[far](other.md#far)", labels=labels) == "[far](other.ipynb#How-far%3F)"
     assert flatten("{ref}`far`", labels=labels) == "[How far?](other.ipynb#How-far%3F)"
@@ -285,7 +292,7 @@ def test_references_become_links_to_the_heading():
     )
 
 
-def test_questions_keep_their_choices_and_fold_their_answers():
+def test_questions_keep_their_choices_and_fold_their_answers() -> None:
     text = flatten("```{quiz} step3_depth\n(on the page)\n```\n")
     assert "**Question 1.**" in text
     assert "- A: " in text
@@ -293,13 +300,13 @@ def test_questions_keep_their_choices_and_fold_their_answers():
     assert "(on the page)" not in text
 
 
-def test_the_zip_runs_on_its_own(tmp_path, files):
+def test_the_zip_runs_on_its_own(tmp_path: Path, files: dict[str, bytes]) -> None:
     with zipfile.ZipFile(io.BytesIO(make_student.pack(files))) as archive:
         archive.extractall(tmp_path)
     folder = tmp_path / make_student.FOLDER
     environment = {**os.environ, "PYTHONPATH": str(folder), "PYDEVD_DISABLE_FILE_VALIDATION": "1"}
 
-    def run(*arguments, cwd=folder / "book"):
+    def run(*arguments: str, cwd: Path = folder / "book") -> str:
         done = subprocess.run(
             [sys.executable, *arguments],
             cwd=cwd,
@@ -330,15 +337,15 @@ def test_the_zip_runs_on_its_own(tmp_path, files):
     assert any(cell.get("outputs") for cell in cells)
 
 
-def test_a_challenge_shows_its_helpers():
+def test_a_challenge_shows_its_helpers() -> None:
     from tests.book.test_leaks import count_bright_regions  # noqa: PLC0415
 
     source = make_instructor_pages.get_source(count_bright_regions)
     assert "def count_bright_regions" in source
     assert "def _spread_labels" in source
     card = load_exercises()["process_depth"]
-    assert make_instructor_pages.is_answered_by_library(card)
+    assert is_answered_by_library(card)
     assert card.reference is labutils.process_depth
-    assert not make_instructor_pages.is_answered_by_library(
+    assert not is_answered_by_library(
         replace(card, name="count_bright_regions", reference=count_bright_regions)
     )

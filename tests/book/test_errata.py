@@ -13,6 +13,8 @@ from pathlib import Path
 
 import labutils as lab  # isort: skip - chooses the OpenGL backend, so before MuJoCo
 
+from typing import TypeAlias
+
 import cv2
 import mujoco
 import numpy as np
@@ -28,6 +30,8 @@ PAGE = Path(__file__).resolve().parents[2] / "book" / "errata.md"
 ROW = re.compile(r"^\| \[(E\d+)\]\((\w+\.md)\) \|(.*)\|(.*)\*\*(.*)\*\* \|$", re.MULTILINE)
 WIDTH, HEIGHT = 640, 480
 CAMERA = "head_camera"
+
+Frame: TypeAlias = tuple[mujoco.MjModel, mujoco.MjData, np.ndarray, np.ndarray]
 
 
 def read_rows() -> dict[str, list[str]]:
@@ -45,7 +49,7 @@ def assert_page_says(row: str, *texts: str) -> None:
 
 
 @pytest.fixture(scope="module")
-def frame():
+def frame() -> Frame:
     """State, depth and intrinsics; the depth is the exact one, the same on every machine."""
     model, data = lab.make_scene()
     renderer = RaycastRenderer(model, HEIGHT, WIDTH)
@@ -55,7 +59,7 @@ def frame():
 
 
 @pytest.fixture(scope="module")
-def rgb():
+def rgb() -> np.ndarray:
     """The color picture, from OpenGL where there is one."""
     model, data = lab.make_scene()
     with lab.make_renderer(model, HEIGHT, WIDTH) as renderer:
@@ -67,18 +71,18 @@ def stretch(depth: np.ndarray) -> np.ndarray:
     return 0.01 + np.clip(depth, 0, 1) * (10.0 - 0.01)
 
 
-def find_visible(model, data) -> set[str]:
+def find_visible(model: mujoco.MjModel, data: mujoco.MjData) -> set[str]:
     """Name the bodies that the head camera sees."""
     ids = lab.render_segmentation(model, data, RaycastRenderer(model, HEIGHT, WIDTH), CAMERA)
     return {model.body(i).name for i in np.unique(ids[ids >= 0])}
 
 
-def test_every_row_has_a_test_and_every_test_a_row():
+def test_every_row_has_a_test_and_every_test_a_row() -> None:
     tests = [re.match(r"test_(e\d+)_", name) for name in globals()]
     assert sorted(m[1].upper() for m in tests if m) == sorted(read_rows())
 
 
-def test_rows_are_numbered_in_order_and_complete():
+def test_rows_are_numbered_in_order_and_complete() -> None:
     rows = read_rows()
     assert list(rows) == [f"E{i}" for i in range(1, len(rows) + 1)]
     assert all(all(cells) for cells in rows.values())
@@ -87,7 +91,9 @@ def test_rows_are_numbered_in_order_and_complete():
     assert all((PAGE.parent / page).is_file() for page, *_ in rows.values())
 
 
-def test_e1_the_path_of_the_sheet_leads_nowhere(tmp_path, monkeypatch):
+def test_e1_the_path_of_the_sheet_leads_nowhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     path = "textbook/assets/robot-models/mujoco/" + SCENE_PATH.name
     with pytest.raises(ValueError, match="Error opening file"):
@@ -96,7 +102,7 @@ def test_e1_the_path_of_the_sheet_leads_nowhere(tmp_path, monkeypatch):
     assert_page_says("E1", "`ValueError`")
 
 
-def test_e2_code_cut_by_fences_or_without_indentation_does_not_compile():
+def test_e2_code_cut_by_fences_or_without_indentation_does_not_compile() -> None:
     lines = inspect.getsource(lab.find_object_centroid).splitlines()
     middle = len(lines) - 3
     cut = [*lines[:middle], "```python", *lines[middle:]]
@@ -108,7 +114,7 @@ def test_e2_code_cut_by_fences_or_without_indentation_does_not_compile():
     assert_page_says("E2", "`SyntaxError`", "`IndentationError`")
 
 
-def test_e3_depth_rendering_takes_no_argument():
+def test_e3_depth_rendering_takes_no_argument() -> None:
     # Called on a stand-in: the signature is the same where no OpenGL can make a renderer.
     switch = mujoco.Renderer.enable_depth_rendering
     with pytest.raises(TypeError, match="takes 1 positional argument but 2 were given"):
@@ -116,7 +122,7 @@ def test_e3_depth_rendering_takes_no_argument():
     assert_page_says("E3", "`TypeError`")
 
 
-def test_e4_a_step_leaves_the_camera_one_step_behind(frame):
+def test_e4_a_step_leaves_the_camera_one_step_behind(frame: Frame) -> None:
     _, _, _, K = frame
     model, data = lab.make_scene()
     data.qvel[model.joint("neck_pan").dofadr[0]] = 3.0
@@ -133,7 +139,7 @@ def test_e4_a_step_leaves_the_camera_one_step_behind(frame):
     assert_page_says("E4", f"{shift_px:.1f} px")
 
 
-def test_e5_a_fresh_state_looks_past_the_objects():
+def test_e5_a_fresh_state_looks_past_the_objects() -> None:
     model, home = lab.make_scene()
     objects = {
         "red_box", "red_ball", "orange_cylinder", "green_can",
@@ -146,7 +152,7 @@ def test_e5_a_fresh_state_looks_past_the_objects():
 
 
 @pytest.mark.skipif(not lab.is_gl_available(), reason="the ray caster always paints a sky")
-def test_e6_without_forward_there_is_nothing_and_only_no_sky_is_black():
+def test_e6_without_forward_there_is_nothing_and_only_no_sky_is_black() -> None:
     spec = mujoco.MjSpec.from_file(str(SCENE_PATH))
     with_sky = spec.compile()
     spec.delete(spec.texture("sky"))
@@ -162,7 +168,7 @@ def test_e6_without_forward_there_is_nothing_and_only_no_sky_is_black():
     assert brightest[1] == 0
 
 
-def test_e7_half_a_pixel_moves_every_point(frame):
+def test_e7_half_a_pixel_moves_every_point(frame: Frame) -> None:
     *_, depth, K = frame
     sheet = K.copy()
     sheet[:2, 2] = WIDTH / 2, HEIGHT / 2
@@ -171,7 +177,7 @@ def test_e7_half_a_pixel_moves_every_point(frame):
     assert_page_says("E7", f"{np.median(off_mm):.1f} mm", f"{off_mm.max():.1f} mm")
 
 
-def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame):
+def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame: Frame) -> None:
     model, data, *_ = frame
     camera = "sensor_camera"
     K, _ = lab.get_camera_intrinsics(model, camera, WIDTH, HEIGHT)
@@ -183,7 +189,7 @@ def test_e8_one_focal_length_does_not_fit_a_sensor_camera(frame):
     assert_page_says("E8", f"{focal:.0f} px", f"{K[0, 0]:.0f} px", f"{np.median(off_mm):.0f} mm")
 
 
-def test_e9_clipping_meters_destroys_them(frame):
+def test_e9_clipping_meters_destroys_them(frame: Frame) -> None:
     *_, depth, K = frame
     sheet = stretch(depth)
     points, _ = lab.depth_to_pointcloud(sheet, K)
@@ -195,7 +201,7 @@ def test_e9_clipping_meters_destroys_them(frame):
     assert len(points) == np.count_nonzero(depth < 1)
 
 
-def test_e10_window_depth_is_no_straight_line(frame):
+def test_e10_window_depth_is_no_straight_line(frame: Frame) -> None:
     model, _, depth, _ = frame
     near, far = lab.get_clip_planes(model)
     surface = lab.find_valid_depth(depth)
@@ -207,7 +213,7 @@ def test_e10_window_depth_is_no_straight_line(frame):
     np.testing.assert_allclose(comment, lab.process_depth(raw, near, far), rtol=1e-9, atol=0)
 
 
-def test_e11_default_planes_are_not_those_of_the_scene(frame):
+def test_e11_default_planes_are_not_those_of_the_scene(frame: Frame) -> None:
     model, _, depth, _ = frame
     near, far = lab.get_clip_planes(model)
     assert (near, far) != (0.01, 10.0)
@@ -218,32 +224,32 @@ def test_e11_default_planes_are_not_those_of_the_scene(frame):
     assert_page_says("E11", f"{10 * round(10 * share):.0f} %")
 
 
-def test_e12_the_depth_picture_has_a_single_color(frame):
+def test_e12_the_depth_picture_has_a_single_color(frame: Frame) -> None:
     *_, depth, _ = frame
     levels = (np.clip(stretch(depth) / 5.0, 0, 1) * 255).astype(np.uint8)
     colors = np.unique(cv2.applyColorMap(levels, cv2.COLORMAP_JET).reshape(-1, 3), axis=0)
     assert_page_says("E12", f"{len(colors)} color")
 
 
-def test_e13_a_healthy_buffer_is_near_one(frame):
+def test_e13_a_healthy_buffer_is_near_one(frame: Frame) -> None:
     model, _, depth, _ = frame
     raw = lab.metric_to_raw(depth, *lab.get_clip_planes(model))
     assert_page_says("E13", f"{raw.min():.2f}")
 
 
-def test_e14_the_ray_is_longer_than_the_depth(frame):
+def test_e14_the_ray_is_longer_than_the_depth(frame: Frame) -> None:
     *_, K = frame
     (corner,) = lab.pixels_to_points(np.zeros((1, 2)), np.ones(1), K)
     assert_page_says("E14", f"{100 * (np.linalg.norm(corner) - 1):.0f} %")
 
 
-def test_e15_the_largest_depth_is_no_surface(frame):
+def test_e15_the_largest_depth_is_no_surface(frame: Frame) -> None:
     model, data, depth, _ = frame
     truth = lab.raycast_depth(model, data, CAMERA, WIDTH, HEIGHT)
     assert_page_says("E15", f"{depth.max():.1f} m", f"{np.nanmax(truth):.1f} m")
 
 
-def test_e16_a_pixel_without_depth_looks_like_the_nearest():
+def test_e16_a_pixel_without_depth_looks_like_the_nearest() -> None:
     depth = np.array([[np.nan, 0.0]], dtype=np.float32)
     with pytest.warns(RuntimeWarning, match="invalid value encountered in cast"):
         levels = (np.clip(depth / 5.0, 0, 1) * 255).astype(np.uint8)
@@ -257,7 +263,7 @@ def test_e16_a_pixel_without_depth_looks_like_the_nearest():
     assert_page_says("E16", "The same color", "`RuntimeWarning`")
 
 
-def test_e17_one_range_misses_the_red_box(frame, rgb):
+def test_e17_one_range_misses_the_red_box(frame: Frame, rgb: np.ndarray) -> None:
     model, data, *_ = frame
     labels = lab.render_segmentation(model, data, RaycastRenderer(model, HEIGHT, WIDTH), CAMERA)
     box = labels == model.body("red_box").id
@@ -266,13 +272,17 @@ def test_e17_one_range_misses_the_red_box(frame, rgb):
     found = [100 * (mask[box] > 0).mean() for mask in (sheet, ours)]
     assert_page_says("E17", f"{found[0]:.0f} %")
     assert found[1] > 98  # rounding at the outline depends on the driver
-    x, y = lab.find_object_centroid(sheet)
+    centroid = lab.find_object_centroid(sheet)
+    assert centroid is not None
+    x, y = centroid
     assert model.body(labels[y, x]).name == "red_ball"
-    x, y = lab.find_object_centroid(ours)
+    centroid = lab.find_object_centroid(ours)
+    assert centroid is not None
+    x, y = centroid
     assert model.body(labels[y, x]).name == "red_box"
 
 
-def test_e18_the_cloud_is_in_the_camera_frame(frame):
+def test_e18_the_cloud_is_in_the_camera_frame(frame: Frame) -> None:
     model, data, depth, K = frame
     points, _ = lab.depth_to_pointcloud(depth, K)
     truth = lab.raycast_points(model, data, CAMERA, WIDTH, HEIGHT)[lab.find_valid_depth(depth)]
@@ -283,7 +293,7 @@ def test_e18_the_cloud_is_in_the_camera_frame(frame):
     assert_page_says("E18", f"{off:.1f} m", f"{rest_mm:.1f} mm")
 
 
-def test_e19_a_ply_file_needs_no_open3d(tmp_path):
+def test_e19_a_ply_file_needs_no_open3d(tmp_path: Path) -> None:
     code = (
         "import sys; sys.modules['open3d'] = None\n"
         "from labutils.__main__ import main\n"
@@ -297,7 +307,7 @@ def test_e19_a_ply_file_needs_no_open3d(tmp_path):
     assert_page_says("E19", "`scene_pointcloud.ply` written")
 
 
-def test_e20_the_lab_makes_five_files(tmp_path):
+def test_e20_the_lab_makes_five_files(tmp_path: Path) -> None:
     names = [path.name for path in lab.save_outputs(tmp_path, width=64, height=48)]
     assert "pointcloud.xyz" in names
     assert_page_says("E20", f"{len(names)} files")

@@ -3,7 +3,8 @@
 import json
 import re
 from pathlib import Path
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import pytest
 from docutils import nodes
@@ -33,12 +34,12 @@ DATA = re.compile(r'<script type="application/json" id="exercise-data">(.*?)</sc
 
 
 @pytest.fixture
-def hook(monkeypatch):
+def hook(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     return load("book/_ext/exercise_cells.py", monkeypatch)
 
 
 @pytest.fixture(scope="module")
-def pages():
+def pages() -> dict[str, str]:
     if not (HTML / "index.html").is_file() or not (HTML / "_static" / "python").is_dir():
         pytest.skip("the book is not built; run `make book` first")
     found = {path.stem: path.read_text() for path in sorted((HTML / "exercises").glob("*.html"))}
@@ -47,11 +48,16 @@ def pages():
 
 
 @pytest.fixture(scope="module")
-def data(pages):
-    return {name: json.loads(DATA.search(page)[1]) for name, page in pages.items()}
+def data(pages: dict[str, str]) -> dict[str, Any]:
+    read = {}
+    for name, page in pages.items():
+        found = DATA.search(page)
+        assert found is not None, name
+        read[name] = json.loads(found[1])
+    return read
 
 
-def make_tree(*exercises):
+def make_tree(*exercises: tuple[str, str]) -> nodes.document:
     """Make a page as MyST leaves it: per exercise a cell, its check, a comment and a hint."""
     tree = new_document("page", get_default_settings())
     top = nodes.section()
@@ -69,7 +75,7 @@ def make_tree(*exercises):
     return tree
 
 
-def make_app():
+def make_app() -> SimpleNamespace:
     domain = SimpleNamespace(labels={}, anonlabels={})
     return SimpleNamespace(
         builder=SimpleNamespace(format="html", get_relative_uri=lambda *_: "../book/start.html"),
@@ -77,11 +83,11 @@ def make_app():
     )
 
 
-def get_raw(tree):
+def get_raw(tree: nodes.document) -> list[str]:
     return [node.astext() for node in tree.findall(nodes.raw)]
 
 
-def test_the_parts_of_an_exercise_are_marked(hook):
+def test_the_parts_of_an_exercise_are_marked(hook: ModuleType) -> None:
     tree = make_tree(("process_depth", "process_depth"))
     hook.mark_cells(make_app(), tree, "exercises/page")
     assert tree["exercises"] == ["process_depth"]
@@ -94,7 +100,7 @@ def test_the_parts_of_an_exercise_are_marked(hook):
     assert "exercise-bar" in tree.children[0].children[0].astext()
 
 
-def test_an_exercise_that_needs_mujoco_gets_a_note_and_no_editor(hook):
+def test_an_exercise_that_needs_mujoco_gets_a_note_and_no_editor(hook: ModuleType) -> None:
     tree = make_tree(("render_camera", "render_camera"))
     hook.mark_cells(make_app(), tree, "exercises/page")
     assert "no browser has" in get_raw(tree)[1]
@@ -102,7 +108,7 @@ def test_an_exercise_that_needs_mujoco_gets_a_note_and_no_editor(hook):
     assert "data-exercise" not in "".join(get_raw(tree))
 
 
-def test_a_page_without_exercises_stays_as_it_is(hook):
+def test_a_page_without_exercises_stays_as_it_is(hook: ModuleType) -> None:
     tree = make_tree()
     hook.mark_cells(make_app(), tree, "book/page")
     assert tree["exercises"] == []
@@ -113,24 +119,26 @@ def test_a_page_without_exercises_stays_as_it_is(hook):
     ("name", "checked"),
     [("process_depth", "something_else"), ("no_such_exercise", "no_such_exercise")],
 )
-def test_a_cell_without_its_check_stops_the_build(hook, name, checked):
+def test_a_cell_without_its_check_stops_the_build(
+    hook: ModuleType, name: str, checked: str
+) -> None:
     tree = make_tree((name, checked))
     with pytest.raises(ExtensionError, match=r"expected check\(.*after a cell tagged exercise"):
         hook.mark_cells(make_app(), tree, "exercises/page")
 
 
-def test_a_link_of_a_check_that_leads_nowhere_stops_the_build(hook):
+def test_a_link_of_a_check_that_leads_nowhere_stops_the_build(hook: ModuleType) -> None:
     with pytest.raises(ExtensionError, match=r"process_depth: its check links to .*, which is"):
         hook.get_titles(make_app(), ["process_depth"])
 
 
-def test_other_formats_than_html_are_left_alone(hook):
+def test_other_formats_than_html_are_left_alone(hook: ModuleType) -> None:
     tree = make_tree(("process_depth", "process_depth"))
     hook.mark_cells(SimpleNamespace(builder=SimpleNamespace(format="latex")), tree, "page")
     assert get_raw(tree) == []
 
 
-def test_every_exercise_has_an_editor_or_a_note(pages):
+def test_every_exercise_has_an_editor_or_a_note(pages: dict[str, str]) -> None:
     mounted = [
         name
         for page in pages.values()
@@ -141,7 +149,7 @@ def test_every_exercise_has_an_editor_or_a_note(pages):
     assert notes == len(IN_NOTEBOOK)
 
 
-def test_without_scripts_the_exercise_can_be_read(pages):
+def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None:
     parts = r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>"
     text = "".join(re.sub(r"<[^<>]*>", "", page) for page in pages.values())
     for name in EXERCISES:
@@ -153,7 +161,7 @@ def test_without_scripts_the_exercise_can_be_read(pages):
         assert not [element for element in elements if "hidden" in element]
 
 
-def test_the_notebook_of_a_note_is_there(pages):
+def test_the_notebook_of_a_note_is_there(pages: dict[str, str]) -> None:
     notes = re.findall(r'class="exercise-note">.*?</p>', "".join(pages.values()))
     assert len(notes) == len(IN_NOTEBOOK) > 0
     for note in notes:
@@ -162,7 +170,7 @@ def test_the_notebook_of_a_note_is_there(pages):
         assert all((HTML / "exercises" / link).is_file() for link in links), note
 
 
-def test_pages_know_hints_tables_and_titles(data):
+def test_pages_know_hints_tables_and_titles(data: dict[str, Any]) -> None:
     names = [name for page in data.values() for name in page["exercises"]]
     assert sorted(names) == sorted(EXERCISES)
     for page in data.values():
@@ -173,7 +181,7 @@ def test_pages_know_hints_tables_and_titles(data):
             assert page["titles"][EXERCISES[name]["section"]]
 
 
-def test_links_of_verdicts_lead_to_a_place(data):
+def test_links_of_verdicts_lead_to_a_place(data: dict[str, Any]) -> None:
     for page in data.values():
         assert page["titles"]
         for link in page["titles"]:
@@ -181,7 +189,7 @@ def test_links_of_verdicts_lead_to_a_place(data):
             assert f'id="{anchor}"' in (HTML / "exercises" / target).read_text()
 
 
-def test_every_asset_a_page_names_is_there(data):
+def test_every_asset_a_page_names_is_there(data: dict[str, Any]) -> None:
     for page in data.values():
         assert page["assets"]
         for asset in (*page["assets"], *page["tables"].values()):
@@ -191,7 +199,7 @@ def test_every_asset_a_page_names_is_there(data):
     assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
 
 
-def test_only_pages_with_exercises_load_the_scripts(pages):
+def test_only_pages_with_exercises_load_the_scripts(pages: dict[str, str]) -> None:
     scripts = ("editor.js", "progress.js", "python.js", "exercises.js", "exercise_bar.js")
     for page in pages.values():
         places = [page.index(f"_static/python/{name}") for name in scripts]
@@ -224,7 +232,7 @@ console.log(JSON.stringify(told));
 """
 
 
-def test_the_page_counts_hints_and_versions_like_the_library(tmp_path):
+def test_the_page_counts_hints_and_versions_like_the_library(tmp_path: Path) -> None:
     files = []
     for hints in (0, MAX_HINTS):
         save_progress(Progress({"process_depth": Record(attempts=2, hints=hints)}), tmp_path)

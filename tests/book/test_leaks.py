@@ -7,6 +7,8 @@ import subprocess
 import sys
 import zipfile
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import nbformat
 import numpy as np
@@ -14,8 +16,10 @@ import pytest
 
 from labutils.checks.table import Part
 from solutions import load_exercises
+from solutions._model import Exercise
 from tests.helpers.leaks import (
     ROOT,
+    Secret,
     collect_secrets,
     find_leaks,
     get_lines,
@@ -29,7 +33,7 @@ NOTES = sorted((ROOT / "solutions" / "notes").glob("*.md"))
 
 
 # A challenge as somebody might write it: its answer is in no library.
-def count_bright_regions(depth_raw, near, far):
+def count_bright_regions(depth_raw: np.ndarray, near: float, far: float) -> int:
     """Count what is bright."""
     threshold = np.percentile(depth_raw, 87.5) + near / (far + 3)
     labels = _spread_labels(
@@ -39,7 +43,7 @@ def count_bright_regions(depth_raw, near, far):
     return np.unique(labels[labels > 0]).size
 
 
-def _spread_labels(bright, rounds):
+def _spread_labels(bright: np.ndarray, rounds: int) -> np.ndarray:
     labels = np.where(bright, np.arange(bright.size).reshape(bright.shape) + 1, 0)
     for _ in range(rounds):
         labels = np.where(bright, np.maximum(labels, np.roll(labels, 1, axis=0)), 0)
@@ -47,7 +51,7 @@ def _spread_labels(bright, rounds):
 
 
 @pytest.fixture(scope="module")
-def challenge():
+def challenge() -> Exercise:
     card = load_exercises()["process_depth"]
     return replace(
         card,
@@ -60,17 +64,17 @@ def challenge():
 
 
 @pytest.fixture(scope="module")
-def secrets():
+def secrets() -> list[Secret]:
     return collect_secrets(load_exercises().values(), NOTES)
 
 
 @pytest.fixture(scope="module")
-def challenge_secrets(challenge):
+def challenge_secrets(challenge: Exercise) -> list[Secret]:
     return collect_secrets([challenge], NOTES)
 
 
 @pytest.fixture(scope="module")
-def student_zip():
+def student_zip() -> bytes:
     return pack(make_files())
 
 
@@ -80,7 +84,7 @@ SOLUTION = """def mine(depth_raw, near, far):
 """
 
 
-def test_every_card_leaves_fingerprints(secrets):
+def test_every_card_leaves_fingerprints(secrets: list[Secret]) -> None:
     seen = {secret.origin.split(":")[0] for secret in secrets}
     assert set(load_exercises()) | {path.name for path in NOTES} <= seen
     for exercise in load_exercises().values():
@@ -90,35 +94,35 @@ def test_every_card_leaves_fingerprints(secrets):
         assert lines, f"{exercise.name}: expected one line of 24 characters that is its own"
 
 
-def test_fingerprints_are_lines_of_code_without_comments_and_breaks():
+def test_fingerprints_are_lines_of_code_without_comments_and_breaks() -> None:
     lines = get_lines(count_bright_regions)
     assert lines[0] == "threshold=np.percentile(depth_raw,87.5)+near/(far+3)"
     assert lines[1] == "labels=_spread_labels(depth_raw>threshold,rounds=int(far*41+7),)"
     assert "Countwhatisbright" not in "".join(lines)
 
 
-def make_page(code):
+def make_page(code: str) -> bytes:
     """Write code the way Sphinx does, every token in a tag of its own."""
     spans = "".join(f"<span class='n'>{c}</span>".replace(">>", ">&gt;") for c in code)
     return f"<html><pre>{spans}</pre></html>".encode()
 
 
-def make_notebook(code):
-
+def make_notebook(code: str) -> bytes:
     cells = [nbformat.v4.new_code_cell(code)]
     return nbformat.writes(nbformat.v4.new_notebook(cells=cells)).encode()
 
 
-def make_archive(name, content):
+def make_archive(name: str, content: str | bytes) -> bytes:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
         archive.writestr(name, content)
     return buffer.getvalue()
 
 
-def make_arrays(name):
+def make_arrays(name: str) -> bytes:
     buffer = io.BytesIO()
-    np.savez(buffer, **{name: np.zeros(3)})
+    arrays: dict[str, Any] = {name: np.zeros(3)}
+    np.savez(buffer, **arrays)
     return buffer.getvalue()
 
 
@@ -140,7 +144,9 @@ def make_arrays(name):
     ],
     ids=["page", "source", "notebook", "search", "quiz", "zip", "arrays", "reason"],
 )
-def test_a_planted_leak_is_found(tmp_path, challenge_secrets, name, content):
+def test_a_planted_leak_is_found(
+    tmp_path: Path, challenge_secrets: list[Secret], name: str, content: bytes
+) -> None:
     path = tmp_path / name
     path.parent.mkdir(parents=True, exist_ok=True)
     (tmp_path / "clean.html").write_text("<p>nothing here</p>")
@@ -151,7 +157,9 @@ def test_a_planted_leak_is_found(tmp_path, challenge_secrets, name, content):
     assert all(line.startswith(name) for line in found)
 
 
-def test_planted_notes_and_hidden_cases_of_real_cards_are_found(tmp_path, secrets):
+def test_planted_notes_and_hidden_cases_of_real_cards_are_found(
+    tmp_path: Path, secrets: list[Secret]
+) -> None:
     (tmp_path / "notes.html").write_bytes(make_page(NOTES[0].read_text(encoding="utf-8")))
     (tmp_path / "card.md").write_text((ROOT / "solutions/process_depth.py").read_text("utf-8"))
     found = find_leaks(secrets, read_documents(tmp_path))
@@ -159,21 +167,21 @@ def test_planted_notes_and_hidden_cases_of_real_cards_are_found(tmp_path, secret
     assert any(line.startswith("card.md: process_depth: _hidden") for line in found)
 
 
-def test_a_common_line_alone_is_no_leak(challenge_secrets):
+def test_a_common_line_alone_is_no_leak(challenge_secrets: list[Secret]) -> None:
     page = "<p>return np.unique(labels[labels > 0]).size</p>"
     documents = list(read_document("page.html", page.encode()))
     assert find_leaks(challenge_secrets, documents) == []
 
 
-def test_the_questions_hold_no_leak(secrets):
+def test_the_questions_hold_no_leak(secrets: list[Secret]) -> None:
     assert find_leaks(secrets, read_documents(ROOT / "exercises")) == []
 
 
-def test_the_student_zip_holds_no_leak(secrets, student_zip):
+def test_the_student_zip_holds_no_leak(secrets: list[Secret], student_zip: bytes) -> None:
     assert find_leaks(secrets, read_document("student.zip", student_zip)) == []
 
 
-def test_the_student_zip_holds_none_of_our_rooms(student_zip):
+def test_the_student_zip_holds_none_of_our_rooms(student_zip: bytes) -> None:
     with zipfile.ZipFile(io.BytesIO(student_zip)) as archive:
         names = [name.split("/", 1)[1] for name in archive.namelist()]
     assert not [
@@ -193,7 +201,9 @@ def test_the_student_zip_holds_none_of_our_rooms(student_zip):
     }
 
 
-def test_solutions_cannot_be_imported_from_the_student_zip(tmp_path, student_zip):
+def test_solutions_cannot_be_imported_from_the_student_zip(
+    tmp_path: Path, student_zip: bytes
+) -> None:
     with zipfile.ZipFile(io.BytesIO(student_zip)) as archive:
         archive.extractall(tmp_path)
     (folder,) = tmp_path.iterdir()
@@ -209,7 +219,7 @@ def test_solutions_cannot_be_imported_from_the_student_zip(tmp_path, student_zip
     assert "No module named 'solutions'" in tried.stderr
 
 
-def test_the_library_never_imports_the_solutions():
+def test_the_library_never_imports_the_solutions() -> None:
     paths = list((ROOT / "labutils").rglob("*.py"))
     assert len(paths) > 20
     for path in paths:
@@ -219,7 +229,7 @@ def test_the_library_never_imports_the_solutions():
             assert not any(name.split(".")[0] == "solutions" for name in names), path
 
 
-def test_the_built_book_holds_no_leak(secrets):
+def test_the_built_book_holds_no_leak(secrets: list[Secret]) -> None:
     if not (HTML / "index.html").is_file():
         done = subprocess.run(
             [sys.executable, "-m", "tools.build.book"],

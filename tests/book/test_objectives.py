@@ -2,34 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import pytest
 
 from content.chapters import REGISTRY, list_required
-from content.objectives import find_problems
+from content.objectives import Book, find_problems
 from content.quiz_items import Choice, Item
 from tools.derive import objectives as make_objectives
 from tools.derive.objectives import make_table, read_book
 
 
 @pytest.fixture
-def book():
+def book() -> Book:
     return read_book()
 
 
-def make_item(**changes):
+def make_item(**changes: Any) -> Item:
     """A question about 2a that is in order."""
     choices = tuple(Choice(text, "Because.", text == "a") for text in "abc")
-    fields = {"page": "step2_intrinsics", "id": "zz", "section": "step2-focal", "question": "?"}
-    return Item(**fields | {"choices": choices, "objective": "2a", "check": None} | changes)
+    fields: dict[str, Any] = {
+        "page": "step2_intrinsics",
+        "id": "zz",
+        "section": "step2-focal",
+        "question": "?",
+        "choices": choices,
+        "objective": "2a",
+        "check": None,
+    }
+    return Item(**fields | changes)
 
 
-def test_every_objective_has_section_exercise_and_question(book):
+def test_every_objective_has_section_exercise_and_question(book: Book) -> None:
     assert find_problems(book) == []
 
 
-def test_the_six_steps_have_their_objectives(book):
+def test_the_six_steps_have_their_objectives(book: Book) -> None:
     required = list_required()
     first = [name for name in book.mapped if name.endswith("a")]
     assert first[: len(required)] == [f"{n}a" for n in range(1, 7)]
@@ -38,11 +49,13 @@ def test_the_six_steps_have_their_objectives(book):
         assert 3 <= sum(name[:-1] == chapter.prefix for name in book.mapped) <= 5
 
 
-def test_the_table_is_up_to_date(capsys):
+def test_the_table_is_up_to_date(capsys: pytest.CaptureFixture[str]) -> None:
     assert make_objectives.main(["--check"]) == 0, capsys.readouterr().err
 
 
-def test_a_stale_or_missing_table_is_noticed(tmp_path, monkeypatch, capsys, book):
+def test_a_stale_or_missing_table_is_noticed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], book: Book
+) -> None:
     monkeypatch.setattr(make_objectives, "read_book", lambda: book)
     monkeypatch.setattr(make_objectives, "ROOT", tmp_path)
     assert make_objectives.main(["--check"]) == 1
@@ -54,13 +67,15 @@ def test_a_stale_or_missing_table_is_noticed(tmp_path, monkeypatch, capsys, book
     assert make_objectives.main(["--check"]) == 1
 
 
-def test_an_orphan_stops_the_tool(monkeypatch, capsys, book):
+def test_an_orphan_stops_the_tool(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], book: Book
+) -> None:
     monkeypatch.setattr(make_objectives, "read_book", lambda: replace(book, items=[]))
     assert make_objectives.main([]) == 1
     assert "objective 1a has no question" in capsys.readouterr().err
 
 
-def without(mapping, name):
+def without(mapping: Mapping[str, Any], name: str) -> dict[str, Any]:
     return {key: value for key, value in mapping.items() if key != name}
 
 
@@ -161,11 +176,13 @@ CROWDED = {"6f": ("step6_view", "one too many")}
         ),
     ],
 )
-def test_every_kind_of_orphan_is_named(changes, expected, book):
+def test_every_kind_of_orphan_is_named(
+    changes: Callable[[Book], dict[str, Any]], expected: list[str], book: Book
+) -> None:
     assert find_problems(replace(book, **changes(book))) == expected
 
 
-def test_the_table_names_everything_once(book):
+def test_the_table_names_everything_once(book: Book) -> None:
     rows = make_table(book).splitlines()[4:]
     assert len(rows) == len(book.mapped)
     for name, row in zip(book.mapped, rows, strict=True):

@@ -2,7 +2,9 @@
 
 import importlib.util
 import io
-from types import SimpleNamespace
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any, NoReturn
 
 import pytest
 from docutils import nodes
@@ -17,20 +19,23 @@ SHEET = (
 )
 
 
-def load(name):
+def load(name: str) -> ModuleType:
     """Import a hook, which belongs to no package."""
     return load_script(f"book/_ext/{name}.py")
 
 
 @pytest.fixture
-def icons():
+def icons() -> ModuleType:
     return load("icons")
 
 
 @pytest.fixture
-def fonts(icons):
+def fonts(icons: ModuleType) -> Path:
     """The theme's own folder of fonts."""
-    theme = importlib.util.find_spec("pydata_sphinx_theme").submodule_search_locations[0]
+    spec = importlib.util.find_spec("pydata_sphinx_theme")
+    assert spec is not None
+    assert spec.submodule_search_locations is not None
+    theme = spec.submodule_search_locations[0]
     app = SimpleNamespace(
         builder=SimpleNamespace(
             theme=SimpleNamespace(
@@ -41,25 +46,27 @@ def fonts(icons):
     return icons._theme_folder(app) / "vendor" / "fontawesome" / "webfonts"
 
 
-def test_icons_of_a_page_are_found_with_their_style_and_code(icons):
+def test_icons_of_a_page_are_found_with_their_style_and_code(icons: ModuleType) -> None:
     codes = icons.read_names(SHEET)
     assert codes == {"fa-bars": 0xF0C9, "fa-navicon": 0xF0C9, "fa-github": 0xF09B}
     html = '<i class="fa-solid fa-bars fa-lg"></i><i class="x fa-brands fa-github"></i>'
     assert icons.find_in_page(html, codes, SHEET) == {(0, 0xF0C9), (2, 0xF09B)}
 
 
-def test_icons_of_widgets_are_found_in_their_state(icons):
+def test_icons_of_widgets_are_found_in_their_state(icons: ModuleType) -> None:
     codes = icons.read_names(SHEET)
     html = '{"description": "", "icon": "bars", "tooltip": null}'
     assert icons.find_in_page(html, codes, SHEET) == {(0, 0xF0C9)}
 
 
-def test_an_icon_that_does_not_exist_is_named(icons):
+def test_an_icon_that_does_not_exist_is_named(icons: ModuleType) -> None:
     with pytest.raises(icons.UnknownIconError, match="'fa-no-such'"):
         icons.find_in_page('<i class="fas fa-no-such"></i>', icons.read_names(SHEET), SHEET)
 
 
-def test_icons_of_sheets_and_scripts_are_found_without_the_list_of_all(icons, tmp_path):
+def test_icons_of_sheets_and_scripts_are_found_without_the_list_of_all(
+    icons: ModuleType, tmp_path: Path
+) -> None:
     (tmp_path / "styles").mkdir()
     (tmp_path / "styles" / "theme.css").write_text(SHEET + ':root{--x:"\uf002"}')
     (tmp_path / "own.css").write_text('a::after{content:"\\f107"}')
@@ -68,7 +75,7 @@ def test_icons_of_sheets_and_scripts_are_found_without_the_list_of_all(icons, tm
     assert found == {0xF002, 0xF107, 0xF0C9}
 
 
-def test_the_fonts_hold_what_is_asked_for_and_no_more(icons, fonts):
+def test_the_fonts_hold_what_is_asked_for_and_no_more(icons: ModuleType, fonts: Path) -> None:
     content = icons.cut_font(fonts / "fa-solid-900.ttf", {0xF0C9, 0xF107, 0xF8FE}, "Some Name")
     font = TTFont(io.BytesIO(content))
     assert set(font.getBestCmap()) == {0xF0C9, 0xF107}
@@ -77,7 +84,7 @@ def test_the_fonts_hold_what_is_asked_for_and_no_more(icons, fonts):
     assert icons.cut_font(fonts / "fa-brands-400.ttf", {0xF0C9}, "Some Name") == b""
 
 
-def test_the_same_icons_make_the_same_sheet(icons, fonts):
+def test_the_same_icons_make_the_same_sheet(icons: ModuleType, fonts: Path) -> None:
     used = {(0, 0xF0C9), (1, 0xF0C5), (2, 0xF09B)}
     first = icons.make_sheet(fonts, used, {0xF107})
     assert first == icons.make_sheet(fonts, used, {0xF107})
@@ -86,14 +93,20 @@ def test_the_same_icons_make_the_same_sheet(icons, fonts):
     assert icons.make_sheet(fonts, set(), set()) == icons.LICENSE
 
 
-def test_a_theme_without_font_awesome_is_refused(icons):
+def test_a_theme_without_font_awesome_is_refused(icons: ModuleType) -> None:
     theme = SimpleNamespace(get_theme_dirs=list)
     with pytest.raises(FileNotFoundError, match="Font Awesome"):
         icons._theme_folder(SimpleNamespace(builder=SimpleNamespace(theme=theme)))
 
 
 @pytest.mark.parametrize("kind", ["epub", "html"])
-def test_the_script_gives_way_to_the_sheet_in_every_page(kind, icons, fonts, tmp_path, monkeypatch):
+def test_the_script_gives_way_to_the_sheet_in_every_page(
+    kind: str,
+    icons: ModuleType,
+    fonts: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(icons, "_theme_folder", lambda _: fonts.parents[2])
     (tmp_path / "_static" / "styles").mkdir(parents=True)
     (tmp_path / "_static" / "styles" / "pydata-sphinx-theme.css").write_text(SHEET)
@@ -113,7 +126,7 @@ def test_the_script_gives_way_to_the_sheet_in_every_page(kind, icons, fonts, tmp
         assert not (tmp_path / "_static" / icons.SHEET).exists()
 
 
-def test_pictures_after_the_first_wait_and_all_hold_their_place(tmp_path):
+def test_pictures_after_the_first_wait_and_all_hold_their_place(tmp_path: Path) -> None:
     hook = load("pictures")
     Image.new("RGB", (8, 6)).save(tmp_path / "a.png")
     app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(images={"a.png": "a.png"}))
@@ -131,7 +144,7 @@ def test_pictures_after_the_first_wait_and_all_hold_their_place(tmp_path):
     assert context["body"].count('loading="lazy"') == before.count('loading="lazy"')
 
 
-def test_pictures_of_cells_keep_every_pixel(tmp_path):
+def test_pictures_of_cells_keep_every_pixel(tmp_path: Path) -> None:
     hook = load("pictures")
     picture = Image.effect_noise((32, 16), 80).convert("RGBA")
     picture.putalpha(Image.linear_gradient("L").resize((32, 16)))
@@ -142,7 +155,9 @@ def test_pictures_of_cells_keep_every_pixel(tmp_path):
         assert kept.tobytes() == picture.tobytes()
 
 
-def test_pictures_are_converted_once_and_never_half(tmp_path, monkeypatch):
+def test_pictures_are_converted_once_and_never_half(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     hook = load("pictures")
     source = tmp_path / "a.png"
     Image.effect_noise((32, 16), 80).save(source)
@@ -154,7 +169,7 @@ def test_pictures_are_converted_once_and_never_half(tmp_path, monkeypatch):
         assert hook.ahead.begin(source) is hook.ahead.begin(source)
     (tmp_path / "a.webp").unlink()
 
-    def stop(_picture, path, *_args, **_options):
+    def stop(_picture: Image.Image, path: Path, *_args: object, **_options: object) -> NoReturn:
         path.write_bytes(b"half")
         raise KeyboardInterrupt
 
@@ -164,7 +179,9 @@ def test_pictures_are_converted_once_and_never_half(tmp_path, monkeypatch):
     assert not (tmp_path / "a.webp").exists()
 
 
-def test_pictures_of_a_page_that_was_read_are_converted_before_they_are_asked_for(tmp_path):
+def test_pictures_of_a_page_that_was_read_are_converted_before_they_are_asked_for(
+    tmp_path: Path,
+) -> None:
     hook = load("pictures")
     folder = tmp_path / "_build" / "jupyter_execute"
     folder.mkdir(parents=True)
@@ -182,7 +199,7 @@ def test_pictures_of_a_page_that_was_read_are_converted_before_they_are_asked_fo
     ("uri", "expected"),
     [("_build/jupyter_execute/abc.png", True), ("book/_static/cover.png", False)],
 )
-def test_only_pictures_of_cells_are_converted(uri, expected):
+def test_only_pictures_of_cells_are_converted(uri: str, expected: bool) -> None:
     hook = load("pictures")
     converter = hook.WebpConverter.__new__(hook.WebpConverter)
     app = SimpleNamespace(builder=SimpleNamespace(format="html"))
@@ -191,7 +208,7 @@ def test_only_pictures_of_cells_are_converted(uri, expected):
     assert converter.match(node) is expected
 
 
-def test_only_the_search_page_reads_the_search_index(tmp_path):
+def test_only_the_search_page_reads_the_search_index(tmp_path: Path) -> None:
     hook = load("lean")
     tags = (
         '<script src="../_static/searchtools.js"></script>\n'
@@ -209,14 +226,14 @@ def test_only_the_search_page_reads_the_search_index(tmp_path):
     assert [path.name for path in (tmp_path / "_static").iterdir()] == ["quiz.js"]
 
 
-def test_settings_of_thebe_leave_the_page():
+def test_settings_of_thebe_leave_the_page() -> None:
     hook = load("lean")
     sheets = [SimpleNamespace(filename=name) for name in ("book.css", "sphinx-thebe.css")]
     body = (
         '<p>text</p><script type="text/x-thebe-config">{}</script> '
         "<script>kernelName = 'python3'</script><p>stamp</p>"
     )
-    context = {"body": body, "css_files": sheets}
+    context: dict[str, Any] = {"body": body, "css_files": sheets}
     hook.drop_tags(None, "", "", context, None)
     assert context["body"] == "<p>text</p><p>stamp</p>"
     assert [sheet.filename for sheet in context["css_files"]] == ["book.css"]

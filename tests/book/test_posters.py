@@ -12,7 +12,7 @@ from tests.helpers.scripts import load_script
 HOOK = load_script("book/_ext/posters.py")
 
 
-def keep_posters(*mime_types):
+def keep_posters(*mime_types: str) -> list[nodes.Node]:
     """Run the hook on one output with these forms; return what follows the output."""
     document = new_document("page")
     bundle = nodes.container(nb_element="mime_bundle")
@@ -27,12 +27,12 @@ def keep_posters(*mime_types):
     return document[1:-1]
 
 
-def test_the_picture_of_a_widget_follows_it():
+def test_the_picture_of_a_widget_follows_it() -> None:
     (poster,) = keep_posters(HOOK.WIDGET, HOOK.PICTURE)
     assert poster["uri"] == "poster.png"
     assert poster["classes"] == [HOOK.POSTER_CLASS]
 
 
-def test_other_outputs_stay_as_they_are():
+def test_other_outputs_stay_as_they_are() -> None:
     assert keep_posters(HOOK.PICTURE) == []
     assert keep_posters(HOOK.WIDGET) == []

@@ -7,21 +7,26 @@ import pytest
 
 import labutils as lab  # isort: skip - chooses the OpenGL backend, so before MuJoCo
 
-import cv2
+from pathlib import Path
+from typing import Any
 
+import cv2
+import mujoco
+
+from labutils.figures import Picture
 from tests.helpers.quiz import HEAD, ITEMS, SIZE, get_numbers, get_texts, make_view
 from tests.helpers.tolerances import EXACT
 
 
 @pytest.fixture(scope="module")
-def view():
+def view() -> dict[str, Any]:
     return make_view()
 
 
 # ---- Step 4
 
 
-def test_half_the_light_changes_value_only():
+def test_half_the_light_changes_value_only() -> None:
     rgb = np.array([[[200, 40, 20], [100, 20, 10]]], np.uint8)
     bright, dim = cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV)[0].astype(int)
     np.testing.assert_allclose(bright[:2], dim[:2], atol=1)  # they are rounded to a byte
@@ -29,7 +34,7 @@ def test_half_the_light_changes_value_only():
     assert ITEMS["4a"].right_text == "Value only"
 
 
-def test_only_the_wrapping_range_finds_both_reds(view):
+def test_only_the_wrapping_range_finds_both_reds(view: dict[str, Any]) -> None:
     names = ("red_ball", "red_box", "orange_cylinder")
     masks = {name: view["bodies"] == view["model"].body(name).id for name in names}
     expected = {0: {"red_ball"}, 1: {"orange_cylinder"}, 3: {"red_ball", "red_box"}}
@@ -44,7 +49,7 @@ def test_only_the_wrapping_range_finds_both_reds(view):
         assert choice.right == (expected[place] == {"red_ball", "red_box"})
 
 
-def test_opening_then_closing_cleans_speck_and_hole():
+def test_opening_then_closing_cleans_speck_and_hole() -> None:
     whole = np.zeros((80, 80), np.uint8)
     whole[10:60, 10:60] = 255
     dirty = whole.copy()
@@ -57,7 +62,7 @@ def test_opening_then_closing_cleans_speck_and_hole():
     assert ITEMS["4c"].right_text == "The object without the hole, and no speck."
 
 
-def test_the_centroid_of_the_largest_region():
+def test_the_centroid_of_the_largest_region() -> None:
     mask = np.zeros((100, 200), np.uint8)
     for x, reach in ((50, 15), (150, 5)):
         mask[50 - reach : 51 + reach, x - reach : x + reach + 1] = 255
@@ -66,11 +71,13 @@ def test_the_centroid_of_the_largest_region():
     assert ITEMS["4d"].choices[0].text == f"`({mean[0]}, {mean[1]})`"
 
 
-def test_the_camera_sees_the_skin_of_the_ball(view):
+def test_the_camera_sees_the_skin_of_the_ball(view: dict[str, Any]) -> None:
     radius_mm = 1000 * view["model"].geom("red_ball").size[0]
-    ball = np.uint8(255 * (view["bodies"] == view["model"].body("red_ball").id))
-    u, v = lab.find_object_centroid(ball)
-    point = lab.pixels_to_points([(u, v)], [view["depth"][v, u]], view["K"])
+    ball = (255 * (view["bodies"] == view["model"].body("red_ball").id)).astype(np.uint8)
+    centroid = lab.find_object_centroid(ball)
+    assert centroid is not None
+    u, v = centroid
+    point = lab.pixels_to_points(np.array([(u, v)]), np.array([view["depth"][v, u]]), view["K"])
     camera = view["data"].camera(HEAD)
     found = lab.camera_to_world(point, camera.xpos, camera.xmat)[0]
     off_mm = 1000 * np.linalg.norm(found - view["data"].body("red_ball").xpos)
@@ -82,16 +89,17 @@ def test_the_camera_sees_the_skin_of_the_ball(view):
 # ---- Step 5
 
 
-def test_one_pixel_becomes_a_point():
+def test_one_pixel_becomes_a_point() -> None:
     K = np.array([[600.0, 0, 319.5], [0, 600.0, 239.5], [0, 0, 1]])
-    right = lab.pixels_to_points([[319.5 + 150, 239.5]], np.array([2.0]), K)[0, 0]
+    right = lab.pixels_to_points(np.array([[319.5 + 150, 239.5]]), np.array([2.0]), K)[0, 0]
     wrong = [150 / 600, 150 * 2, 600 / 150 * 2]
     np.testing.assert_allclose(get_numbers(ITEMS["5a"]), [right, *wrong], atol=EXACT)
 
 
-def test_colors_go_with_the_points_that_are_kept(view):
+def test_colors_go_with_the_points_that_are_kept(view: dict[str, Any]) -> None:
     rgb, valid = view["rgb"], lab.find_valid_depth(view["depth"])
     points, colors = lab.depth_to_pointcloud(view["depth"], view["K"], rgb)
+    assert colors is not None
     for choice in ITEMS["5b"].choices:
         offered = eval(  # noqa: S307 - our own text
             choice.text.strip("`"), {"__builtins__": {}}, {"rgb": rgb, "valid": valid}
@@ -100,7 +108,7 @@ def test_colors_go_with_the_points_that_are_kept(view):
         assert fits == choice.right, choice.text
 
 
-def test_a_point_straight_ahead_in_the_room():
+def test_a_point_straight_ahead_in_the_room() -> None:
     # MuJoCo's axes of a camera that looks along x: right is -y, up is z, backward is -x
     xmat = np.array([[0, -1, 0], [0, 0, 1], [-1, 0, 0]]).T
     position, point = np.array([0, 0, 1.5]), np.array([[0.0, 0, 1]])
@@ -115,7 +123,7 @@ def test_a_point_straight_ahead_in_the_room():
     ]
 
 
-def test_large_errors_lie_on_depth_edges(view):
+def test_large_errors_lie_on_depth_edges(view: dict[str, Any]) -> None:
     depth, valid = view["depth"], lab.find_valid_depth(view["depth"])
     camera = view["data"].camera(HEAD)
     points, _ = lab.depth_to_pointcloud(depth, view["K"])
@@ -130,7 +138,7 @@ def test_large_errors_lie_on_depth_edges(view):
     assert "depth edges" in ITEMS["5d"].right_text
 
 
-def test_ray_length_for_depth_makes_bowls(scene):
+def test_ray_length_for_depth_makes_bowls(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     near, far = lab.get_clip_planes(scene[0])
     K = lab.intrinsics_matrix(np.deg2rad(45), 640, 480)
     wall = np.full(SIZE, 2.0)
@@ -151,16 +159,20 @@ def test_ray_length_for_depth_makes_bowls(scene):
 # ---- Step 6
 
 
-def test_without_a_screen_there_is_a_picture(view, monkeypatch):
+def test_without_a_screen_there_is_a_picture(
+    view: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     points, colors = lab.depth_to_pointcloud(view["depth"], view["K"], view["rgb"])
+    assert colors is not None
     picture = lab.visualize_pointcloud(points[::50], colors[::50])
+    assert isinstance(picture, Picture)
     assert picture.png.startswith(b"\x89PNG")
     assert "picture" in ITEMS["6a"].right_text
 
 
-def test_the_camera_frame_has_the_table_below(view):
+def test_the_camera_frame_has_the_table_below(view: dict[str, Any]) -> None:
     points, _ = lab.depth_to_pointcloud(view["depth"], view["K"])
     bodies = view["bodies"][lab.find_valid_depth(view["depth"])]
     table, wall = (
@@ -170,7 +182,7 @@ def test_the_camera_frame_has_the_table_below(view):
     assert "y points down" in ITEMS["6b"].right_text
 
 
-def test_a_second_view_fills_part_of_the_shadow(view):
+def test_a_second_view_fills_part_of_the_shadow(view: dict[str, Any]) -> None:
     model, data = view["model"], view["data"]
     top = data.geom("table_top").xpos[2] + model.geom("table_top").size[2]
     seen = {}
@@ -192,7 +204,7 @@ def test_a_second_view_fills_part_of_the_shadow(view):
     assert "second view" in ITEMS["6c"].right_text
 
 
-def test_four_decimals_are_off_by_half_a_step(view, tmp_path):
+def test_four_decimals_are_off_by_half_a_step(view: dict[str, Any], tmp_path: Path) -> None:
     points, _ = lab.depth_to_pointcloud(view["depth"], view["K"])
     back = np.loadtxt(lab.save_pointcloud_xyz(tmp_path, points))
     worst_mm = 1000 * np.abs(back - points).max()

@@ -2,7 +2,9 @@
 
 import os
 import threading
-from types import SimpleNamespace
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import nbformat
 import pytest
@@ -14,6 +16,7 @@ from myst_nb.core.config import NbParserConfig
 from myst_nb.core.execute import ExecutionError, create_client
 from myst_nb.core.loggers import DocutilsDocLogger
 from myst_parser.config.main import MdParserConfig
+from nbformat.notebooknode import NotebookNode
 from sphinx.errors import ConfigError
 
 from tests.helpers.scripts import load_script
@@ -27,7 +30,7 @@ kernelspec: {display_name: Python 3, language: python, name: python3}
 
 
 @pytest.fixture
-def hook(monkeypatch):
+def hook(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     monkeypatch.delenv("PAGES_AT_ONCE", raising=False)
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "LP_NUM_THREADS"):
         monkeypatch.delenv(name, raising=False)
@@ -36,7 +39,7 @@ def hook(monkeypatch):
     return module
 
 
-def make_env(folder, pages):
+def make_env(folder: Path, pages: dict[str, list[str]]) -> SimpleNamespace:
     """Make what the hook asks of Sphinx: pages, and where the cache is."""
     for name, cells in pages.items():
         text = "".join(f"\n```{{code-cell}}\n{cell}\n```\n" for cell in cells)
@@ -58,14 +61,16 @@ def make_env(folder, pages):
 class Runs:
     """Stands for what runs a page; remembers what ran, in which order and how many at once."""
 
-    def __init__(self, failing=None, together=1):
-        self.ran, self.options, self.now, self.most = [], [], 0, 0
+    def __init__(self, failing: str | None = None, together: int = 1) -> None:
+        self.ran: list[str] = []
+        self.options: list[dict[str, Any]] = []
+        self.now = self.most = 0
         self.failing = failing
         self.lock = threading.Lock()
         self.together = threading.Barrier(together)  # waits until so many run at once
-        self.variables = {}
+        self.variables: dict[str, str] = {}
 
-    def __call__(self, notebook, **options):
+    def __call__(self, notebook: NotebookNode, **options: Any) -> ExecutionResult:
         title = notebook.cells[0].source.removeprefix("# ")
         with self.lock:
             self.ran.append(title)
@@ -83,19 +88,25 @@ class Runs:
         return ExecutionResult(notebook, options["cwd"], 1.0, error)
 
 
-def run(hook, env, monkeypatch, **options):
+def run(
+    hook: ModuleType, env: SimpleNamespace, monkeypatch: pytest.MonkeyPatch, **options: Any
+) -> Runs:
     runs = Runs(**options)
     monkeypatch.setattr(hook, "single_nb_execution", runs)
     hook.run_pages(None, env, env.names)
     return runs
 
 
-def test_two_pages_run_at_once_on_two_cores(hook, tmp_path, monkeypatch):
+def test_two_pages_run_at_once_on_two_cores(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     env = make_env(tmp_path, {"a": ["1"], "b": ["2"]})
     assert run(hook, env, monkeypatch, together=2).most == 2
 
 
-def test_one_after_the_other_where_the_variable_says_so(hook, tmp_path, monkeypatch):
+def test_one_after_the_other_where_the_variable_says_so(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("PAGES_AT_ONCE", "1")
     env = make_env(tmp_path, {name: [name] for name in "abc"})
     runs = run(hook, env, monkeypatch)
@@ -103,13 +114,17 @@ def test_one_after_the_other_where_the_variable_says_so(hook, tmp_path, monkeypa
 
 
 @pytest.mark.parametrize("value", ["0", "-1", "two", "1.5"])
-def test_a_number_of_pages_that_is_none_is_refused(value, hook, monkeypatch):
+def test_a_number_of_pages_that_is_none_is_refused(
+    value: str, hook: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("PAGES_AT_ONCE", value)
     with pytest.raises(ConfigError, match=f"PAGES_AT_ONCE: expected a whole number.*'{value}'"):
         hook.count_at_once()
 
 
-def test_only_pages_with_cells_that_are_not_in_the_cache_run(hook, tmp_path, monkeypatch):
+def test_only_pages_with_cells_that_are_not_in_the_cache_run(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     env = make_env(tmp_path, {"text": [], "a": ["1"], "b": ["2"]})
     assert sorted(run(hook, env, monkeypatch).ran) == ["a", "b"]
     assert run(hook, env, monkeypatch).ran == []
@@ -117,7 +132,9 @@ def test_only_pages_with_cells_that_are_not_in_the_cache_run(hook, tmp_path, mon
     assert run(hook, env, monkeypatch).ran == ["b"]
 
 
-def test_a_change_of_the_text_runs_nothing(hook, tmp_path, monkeypatch):
+def test_a_change_of_the_text_runs_nothing(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     env = make_env(tmp_path, {"a": ["1"]})
     run(hook, env, monkeypatch)
     page = tmp_path / "a.md"
@@ -125,15 +142,17 @@ def test_a_change_of_the_text_runs_nothing(hook, tmp_path, monkeypatch):
     assert run(hook, env, monkeypatch).ran == []
 
 
-def test_long_pages_begin_first(hook, tmp_path, monkeypatch):
+def test_long_pages_begin_first(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("PAGES_AT_ONCE", "1")
     env = make_env(tmp_path, {"a": ["1"], "b": list("123"), "c": list("12")})
     assert run(hook, env, monkeypatch).ran == ["b", "c", "a"]
 
 
 def test_a_page_runs_in_a_folder_of_its_own_with_the_limits_of_the_book(
-    hook, tmp_path, monkeypatch
-):
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     env = make_env(tmp_path, {"a": ["1"], "b": ["2"]})
     options = run(hook, env, monkeypatch).options
     assert len({one["cwd"] for one in options}) == 2
@@ -142,7 +161,9 @@ def test_a_page_runs_in_a_folder_of_its_own_with_the_limits_of_the_book(
         assert (one["timeout"], one["allow_errors"]) == (77, False)
 
 
-def test_kernels_share_the_cores_unless_the_environment_says_otherwise(hook, tmp_path, monkeypatch):
+def test_kernels_share_the_cores_unless_the_environment_says_otherwise(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("LP_NUM_THREADS", "5")
     env = make_env(tmp_path, {"a": ["1"], "b": ["2"]})
     variables = run(hook, env, monkeypatch).variables
@@ -153,7 +174,9 @@ def test_kernels_share_the_cores_unless_the_environment_says_otherwise(hook, tmp
     assert run(hook, env, monkeypatch).variables["OMP_NUM_THREADS"] == "2"
 
 
-def test_a_page_that_fails_stops_the_build_and_what_has_run_is_kept(hook, tmp_path, monkeypatch):
+def test_a_page_that_fails_stops_the_build_and_what_has_run_is_kept(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("PAGES_AT_ONCE", "1")
     env = make_env(tmp_path, {"a": list("1234"), "b": list("123"), "c": list("12"), "d": ["1"]})
     runs = Runs(failing="b")
@@ -165,7 +188,9 @@ def test_a_page_that_fails_stops_the_build_and_what_has_run_is_kept(hook, tmp_pa
     assert "a" not in run(hook, env, monkeypatch).ran
 
 
-def test_a_page_with_settings_of_its_own_is_left_to_myst_nb(hook, tmp_path, monkeypatch):
+def test_a_page_with_settings_of_its_own_is_left_to_myst_nb(
+    hook: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     env = make_env(tmp_path, {"a": ["1"]})
     page = tmp_path / "a.md"
     page.write_text(page.read_text().replace("---\n#", "mystnb: {execution_timeout: 9}\n---\n#"))
@@ -173,15 +198,17 @@ def test_a_page_with_settings_of_its_own_is_left_to_myst_nb(hook, tmp_path, monk
 
 
 @pytest.mark.slow
-def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(hook, tmp_path):
+def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(
+    hook: ModuleType, tmp_path: Path
+) -> None:
     cells = ["import os\nprint(len(os.listdir()))", "6 * 7", ":tags: [x]\nprint('done')"]
     env = make_env(tmp_path, {"a": cells, "b": ["print(1)"]})
     hook.run_pages(None, env, env.names)
 
-    def read(folder):
+    def read(folder: Path) -> tuple[NotebookNode, str]:
         """Let MyST-NB have the page from a cache; return the page and what it said."""
         (found,) = hook.find_pages(env, ["a"], get_cache(tmp_path / "empty"))
-        said = []
+        said: list[str] = []
         logger = DocutilsDocLogger(new_document("a.md"))
         logger.info = lambda message, *_args, **_options: said.append(message)
         config = env.mystnb_config.copy(execution_cache_path=str(folder))
@@ -201,7 +228,7 @@ def test_what_is_kept_is_what_myst_nb_looks_for_and_would_have_made(hook, tmp_pa
 
 
 @pytest.mark.slow
-def test_what_a_slow_cell_prints_in_pieces_stays_one_line(hook, tmp_path):
+def test_what_a_slow_cell_prints_in_pieces_stays_one_line(hook: ModuleType, tmp_path: Path) -> None:
     cell = "import time\nprint('same:', end='', flush=True)\ntime.sleep(0.5)\nprint(' yes')"
     env = make_env(tmp_path, {"a": [cell]})
     hook.run_pages(None, env, env.names)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from content.chapters import OBJECTIVES, list_taught
+from content.chapters import OBJECTIVES, Chapter, list_taught
 from solutions import load_exercises
 from tests.helpers.chapters import ROOT, find_orphans, find_pages, get_toc_pages
 
@@ -24,11 +24,11 @@ def read(page: Path | str) -> str:
     return (ROOT / page).with_suffix(".md").read_text(encoding="utf-8")
 
 
-def test_every_page_and_widget_can_be_reached():
+def test_every_page_and_widget_can_be_reached() -> None:
     assert find_orphans() == []
 
 
-def test_an_orphan_of_every_kind_is_noticed(tmp_path):
+def test_an_orphan_of_every_kind_is_noticed(tmp_path: Path) -> None:
     (tmp_path / "_toc.yml").write_text(
         "root: book/index\nparts:\n- chapters:\n  - file: book/gone\n  - file: book/index\n",
         encoding="utf-8",
@@ -49,7 +49,7 @@ def test_an_orphan_of_every_kind_is_noticed(tmp_path):
 
 
 @pytest.mark.parametrize("page", PAGES, ids=str)
-def test_every_picture_says_its_finding_in_words(page):
+def test_every_picture_says_its_finding_in_words(page: Path) -> None:
     text = read(page)
     figures = re.findall(
         r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$", text, re.DOTALL | re.MULTILINE
@@ -64,7 +64,7 @@ def test_every_picture_says_its_finding_in_words(page):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
-def test_the_recap_answers_the_objectives_one_by_one(chapter):
+def test_the_recap_answers_the_objectives_one_by_one(chapter: Chapter) -> None:
     head, _, tail = read(chapter.page).partition("## Recap")
     pattern = rf"^- \*\*({chapter.prefix}[a-e])\.\*\* "
     objectives = re.findall(pattern, head, re.MULTILINE)
@@ -75,7 +75,7 @@ def test_the_recap_answers_the_objectives_one_by_one(chapter):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
-def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter):
+def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter: Chapter) -> None:
     headings = re.findall(r"^## (.+)$", read(chapter.page), re.MULTILINE)
     fixed = [
         "Question and objectives",
@@ -96,7 +96,7 @@ def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
-def test_every_chapter_has_its_exercise_page_and_leads_to_it(chapter):
+def test_every_chapter_has_its_exercise_page_and_leads_to_it(chapter: Chapter) -> None:
     assert Path(chapter.exercises) in EXERCISES
     _, _, tail = read(chapter.page).partition("\n## Exercises\n")
     section, _, _ = tail.partition("\n## ")
@@ -108,12 +108,12 @@ def test_every_chapter_has_its_exercise_page_and_leads_to_it(chapter):
         assert f"`{card.name} <exercise-{card.name.replace('_', '-')}>`{points}" in section
 
 
-def test_every_exercise_page_belongs_to_a_chapter():
+def test_every_exercise_page_belongs_to_a_chapter() -> None:
     assert [page.as_posix() for page in EXERCISES] == [one.exercises for one in CHAPTERS]
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
-def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter):
+def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter: Chapter) -> None:
     text = read(chapter.exercises)
     cards = [one for one in load_exercises().values() if one.chapter == chapter.id]
     assert cards, chapter.id
@@ -136,7 +136,7 @@ def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
-def test_chapters_ask_before_they_show_and_check_against_the_truth(chapter):
+def test_chapters_ask_before_they_show_and_check_against_the_truth(chapter: Chapter) -> None:
     text = read(chapter.page)
     for box in ("predict", "check", "pitfall", "tryit"):
         found = re.search(rf"^:class: {box}$", text, re.MULTILINE)
@@ -145,15 +145,15 @@ def test_chapters_ask_before_they_show_and_check_against_the_truth(chapter):
 
 
 @pytest.mark.parametrize("page", PAGES, ids=str)
-def test_pages_and_their_cells_stay_short(page):
+def test_pages_and_their_cells_stay_short(page: Path) -> None:
     # Starters are written by a tool, and an explorer comes with its question, its task and a cell
     # that uses it. Front matter, alt texts and captions do not count either:
     # nobody should save on those.
     text = re.sub(STARTER, "", read(page), flags=re.DOTALL | re.MULTILINE)
     seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
-    lines = len(seen.splitlines())
+    count = len(seen.splitlines())
     limit = MAX_LINES + 40 * text.count("\nfrom labutils.explorers import ")
-    assert lines <= limit, f"expected a page of at most {limit} lines, got {lines}"
+    assert count <= limit, f"expected a page of at most {limit} lines, got {count}"
     for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         code = re.sub(r"\A---\n.*?^---\n", "", cell, flags=re.DOTALL | re.MULTILINE)
         lines = [
@@ -163,7 +163,7 @@ def test_pages_and_their_cells_stay_short(page):
 
 
 @pytest.mark.parametrize("page", PAGES, ids=str)
-def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
+def test_pages_import_nothing_but_the_library_and_what_it_teaches(page: Path) -> None:
     allowed = {"labutils", "numpy", "cv2", "mujoco", "open3d"}
     text = re.sub(r'""".*?"""', "", read(page), flags=re.DOTALL)  # docstrings of the starters
     for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
@@ -180,7 +180,7 @@ def test_pages_import_nothing_but_the_library_and_what_it_teaches(page):
             assert name in allowed or standard, f"cells may not import {name}"
 
 
-def test_the_rules_for_pages_find_what_they_look_for():
+def test_the_rules_for_pages_find_what_they_look_for() -> None:
     # or a change of the markup would make the tests above pass by finding nothing
     text = "\n".join(read(page) for page in PAGES)
     for pattern in (

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import pytest
 
 from tests.helpers import browser
@@ -10,14 +13,16 @@ THEMES = ("light", "dark")
 
 
 @pytest.fixture(scope="module")
-def audits(chromium, file_site, once):
+def audits(
+    chromium: Callable[..., Any], file_site: str, once: Callable[..., Any]
+) -> dict[str, Any]:
     """What axe-core says: {page: {themes: {theme: findings}, complaints}}."""
     return once("axe", lambda: chromium("axe.mjs", file_site, *browser.names_of_pages()))
 
 
 @pytest.mark.parametrize("theme", THEMES)
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_page_has_no_serious_barrier(audits, page, theme):
+def test_a_page_has_no_serious_barrier(audits: dict[str, Any], page: str, theme: str) -> None:
     audit = audits[page]["themes"][theme]
     assert audit["theme"] == theme
     said = [f"{finding['rule']}: {finding['places']}" for finding in audit["findings"]]
@@ -25,5 +30,5 @@ def test_a_page_has_no_serious_barrier(audits, page, theme):
 
 
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_page_opens_from_a_file_without_errors(audits, page):
+def test_a_page_opens_from_a_file_without_errors(audits: dict[str, Any], page: str) -> None:
     assert audits[page]["complaints"] == []

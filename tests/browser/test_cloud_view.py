@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -11,6 +15,7 @@ from labutils.camera_utils import get_camera_pose
 from labutils.explorers import explore_cloud
 from labutils.explorers._cloud_poster import make_view_transform
 from labutils.explorers._cloud_start import turn_to_view
+from labutils.explorers.cloud import CloudExplorer
 from tests.explorers.test_cloud import FACES
 from tests.helpers.view_page import write_view_page
 
@@ -21,7 +26,7 @@ MAX_DIFFERENT = 0.004
 
 
 @pytest.fixture(scope="module")
-def explorer():
+def explorer() -> CloudExplorer:
     model, data = make_scene()
     with make_renderer(model, 480, 640) as renderer:
         rgb, depth = render_camera(model, data, renderer, "head_camera")
@@ -31,32 +36,34 @@ def explorer():
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("cloud")
 
 
 @pytest.fixture(scope="module")
-def seen(explorer, folder, chromium):
+def seen(explorer: CloudExplorer, folder: Path, chromium: Callable[..., Any]) -> dict[str, Any]:
     write_view_page(explorer.view, folder / "cloud.html")
     return chromium("cloud.mjs", folder.as_uri() + "/", folder)
 
 
-def read(folder, kind, name):
-    return cv2.imread(str(folder / f"{kind}-{name}.png")).astype(int)
+def read(folder: Path, kind: str, name: str) -> np.ndarray:
+    picture = cv2.imread(str(folder / f"{kind}-{name}.png"))
+    assert picture is not None
+    return picture.astype(int)
 
 
-def find_drawn(picture):
+def find_drawn(picture: np.ndarray) -> np.ndarray:
     """Mark what is not the page's white, inside the border."""
-    return (picture[4:-4, 4:-4] < 250).any(axis=2)
+    return np.asarray((picture[4:-4, 4:-4] < 250).any(axis=2))
 
 
-def make_expected(explorer, report):
+def make_expected(explorer: CloudExplorer, report: dict[str, Any]) -> dict[str, Any]:
     explorer.move(**{name: report[name] for name in ("fov_y_deg", "far", "color", "pixel")})
     return explorer.values
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_it_draws_with_what_the_browser_has(seen, folder, kind):
+def test_it_draws_with_what_the_browser_has(seen: dict[str, Any], folder: Path, kind: str) -> None:
     assert seen[kind]["errors"] == []
     assert seen[kind]["painter"] == kind
     assert 0.15 < find_drawn(read(folder, kind, "start")).mean() < 0.8
@@ -66,16 +73,17 @@ def test_it_draws_with_what_the_browser_has(seen, folder, kind):
 
 @pytest.mark.usefixtures("seen")
 @pytest.mark.parametrize("name", ["start", "camera", "near", "behind"])
-def test_both_ways_of_drawing_show_the_same(folder, name):
+def test_both_ways_of_drawing_show_the_same(folder: Path, name: str) -> None:
     one, other = (read(folder, kind, name) for kind in KINDS)
     assert one.shape == other.shape
     assert (np.abs(one - other).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.usefixtures("seen")
-def test_the_cameras_view_is_its_picture(folder, explorer):
+def test_the_cameras_view_is_its_picture(folder: Path, explorer: CloudExplorer) -> None:
     picture = read(folder, "webgl2", "camera")
     rgb = cv2.imdecode(np.frombuffer(explorer.view.rgb_png, np.uint8), cv2.IMREAD_COLOR)
+    assert rgb is not None
     height, width = picture.shape[:2]
     share = np.tan(np.radians(22.5)) / np.tan(np.radians(explorer.view.view_fov_deg / 2))
     size = (round(width * share), round(height * share))
@@ -89,7 +97,9 @@ def test_the_cameras_view_is_its_picture(folder, explorer):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_read_out_tells_what_labutils_computes(seen, explorer, kind):
+def test_the_read_out_tells_what_labutils_computes(
+    seen: dict[str, Any], explorer: CloudExplorer, kind: str
+) -> None:
     everything = seen[kind]
     reports = [everything["start"], everything["reset"], *everything["settings"]]
     for report in [*reports, *everything["clicks"], everything["pickedByKeys"]]:
@@ -105,7 +115,9 @@ def test_the_read_out_tells_what_labutils_computes(seen, explorer, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_click_picks_the_point_under_it(seen, explorer, kind):
+def test_a_click_picks_the_point_under_it(
+    seen: dict[str, Any], explorer: CloudExplorer, kind: str
+) -> None:
     T_view_cam = turn_to_view(np.array(explorer.view.T_world_cam))
     hits = [click for click in seen[kind]["clicks"] if click["pixel"]]
     assert len(hits) == 3  # the last one is beside the cloud
@@ -121,20 +133,20 @@ def test_a_click_picks_the_point_under_it(seen, explorer, kind):
         assert str(tuple(click["pixel"])) in click["text"]
 
 
-def test_picks_do_not_depend_on_how_the_cloud_is_drawn(seen):
+def test_picks_do_not_depend_on_how_the_cloud_is_drawn(seen: dict[str, Any]) -> None:
     one, other = ([click["pixel"] for click in seen[kind]["clicks"]] for kind in KINDS)
     assert one == other
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_page_scrolls_unless_the_view_was_clicked(seen, kind):
+def test_the_page_scrolls_unless_the_view_was_clicked(seen: dict[str, Any], kind: str) -> None:
     start = seen[kind]["start"]["orbit"]
     assert seen[kind]["wheelUnasked"]["orbit"] == start
     assert seen[kind]["wheelFocused"]["orbit"]["distance"] < start["distance"]
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_drag_walks_around_and_picks_nothing(seen, kind):
+def test_a_drag_walks_around_and_picks_nothing(seen: dict[str, Any], kind: str) -> None:
     before, dragged = seen[kind]["wheelFocused"], seen[kind]["dragged"]
     assert dragged["orbit"]["azimuth_deg"] < before["orbit"]["azimuth_deg"] - 10
     assert dragged["orbit"]["elevation_deg"] == before["orbit"]["elevation_deg"]
@@ -145,7 +157,7 @@ def test_a_drag_walks_around_and_picks_nothing(seen, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_keys_and_buttons_walk_around(seen, kind):
+def test_keys_and_buttons_walk_around(seen: dict[str, Any], kind: str) -> None:
     keys, start = seen[kind]["keys"], seen[kind]["start"]["orbit"]
     left, up, closer, away, home = (keys[key]["orbit"] for key in keys)
     assert left["azimuth_deg"] == seen[kind]["dragged"]["orbit"]["azimuth_deg"] + 5
@@ -161,23 +173,23 @@ def test_keys_and_buttons_walk_around(seen, kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_points_can_be_picked_by_keys_in_the_picture(seen, kind):
+def test_points_can_be_picked_by_keys_in_the_picture(seen: dict[str, Any], kind: str) -> None:
     assert seen[kind]["pickedByKeys"]["pixel"] == [321, 250]  # from the middle: right, ten down
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_reset_brings_everything_back(seen, kind):
+def test_reset_brings_everything_back(seen: dict[str, Any], kind: str) -> None:
     names = ("fov_y_deg", "far", "color", "pixel", "orbit", "values")
     start, reset = ({name: seen[kind][one][name] for name in names} for one in ("start", "reset"))
     assert reset == start
 
 
 @pytest.mark.usefixtures("seen")
-def test_a_lost_context_falls_back_to_the_canvas(folder):
+def test_a_lost_context_falls_back_to_the_canvas(folder: Path) -> None:
     start, lost = (read(folder, "webgl2", name) for name in ("start", "lost"))
     assert (np.abs(start - lost).max(axis=2) > 40).mean() < MAX_DIFFERENT
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_nothing_is_left_when_the_view_goes(seen, kind):
+def test_nothing_is_left_when_the_view_goes(seen: dict[str, Any], kind: str) -> None:
     assert seen[kind]["left"] == {"parts": 0, "listeners": 0, "contextLost": True}

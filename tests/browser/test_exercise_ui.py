@@ -6,7 +6,9 @@ import base64
 import gzip
 import hashlib
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,14 +23,14 @@ SOLVED = Record(passed=True, attempts=3, hints=1, mistakes={"linear": 2})
 CDN = "https://cdn.jsdelivr.net/pyodide/v314.0.7/full/"
 
 
-def write_progress(folder, **records):
+def write_progress(folder: Path, **records: Record) -> Path:
     folder.mkdir()
     save_progress(Progress(dict(records)), folder)
     return folder / "labutils-progress.json"
 
 
 @pytest.fixture(scope="module")
-def imports(tmp_path_factory):
+def imports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Progress files, good ones and bad ones, of which each breaks one rule of the library."""
     folder = tmp_path_factory.mktemp("imports")
     good = [
@@ -56,12 +58,24 @@ def imports(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def used(chromium, file_site, imports, page_python, once):  # noqa: ARG001 - what it needs to run
+def used(
+    chromium: Callable[..., Any],
+    file_site: str,
+    imports: Path,
+    page_python: dict[str, Any],  # noqa: ARG001 - what it needs to run
+    once: Callable[..., Any],
+) -> dict[str, Any]:
     return once("exercise-ui", lambda: chromium("exercise_ui.mjs", file_site, PAGE, imports))
 
 
 @pytest.fixture(scope="module")
-def limited(chromium, http_site, page_python, tmp_path_factory, once):
+def limited(
+    chromium: Callable[..., Any],
+    http_site: str,
+    page_python: dict[str, Any],
+    tmp_path_factory: pytest.TempPathFactory,
+    once: Callable[..., Any],
+) -> dict[str, Any]:
     """The page where something is missing; wheels are made of what is packed."""
     folder = tmp_path_factory.mktemp("wheels")
     remote, files = [], {}
@@ -81,7 +95,7 @@ def limited(chromium, http_site, page_python, tmp_path_factory, once):
     return once("exercise-limits", make)
 
 
-def read_exported(exported, folder):
+def read_exported(exported: dict[str, str], folder: Path) -> dict[str, Record]:
     """Read an exported file with the library, which sets aside what it does not accept."""
     assert exported["name"] == "labutils-progress.json"
     (folder / exported["name"]).write_text(exported["text"])
@@ -90,42 +104,44 @@ def read_exported(exported, folder):
     return progress.records
 
 
-def test_nothing_goes_wrong_on_the_page(used):
+def test_nothing_goes_wrong_on_the_page(used: dict[str, Any]) -> None:
     assert used["complaints"] == []
 
 
-def test_python_is_loaded_on_the_first_click_only_and_says_how_far_it_is(used):
+def test_python_is_loaded_on_the_first_click_only_and_says_how_far_it_is(
+    used: dict[str, Any],
+) -> None:
     assert used["askedBefore"] == []
     said = used["progressOfLoading"]
     assert any(text.startswith("Loading Python: ") and "12." in text for text in said)
     assert said.index("Starting Python") < said.index("Running")
 
 
-def test_stop_before_python_stands_says_so(used):
+def test_stop_before_python_stands_says_so(used: dict[str, Any]) -> None:
     assert used["stoppedEarly"]["result"] == "stopped"
     assert "Stopped before it began." in used["stoppedEarly"]["text"]
 
 
-def test_checks_that_are_asked_while_python_loads_wait_for_it(used):
+def test_checks_that_are_asked_while_python_loads_wait_for_it(used: dict[str, Any]) -> None:
     assert len(used["queued"]) == 2
     for said in used["queued"]:
         assert "Not started yet." in said["text"]
 
 
-def test_an_endless_loop_is_stopped_after_20_seconds(used):
+def test_an_endless_loop_is_stopped_after_20_seconds(used: dict[str, Any]) -> None:
     assert used["limit"] == 20_000
     assert used["endlessByDefault"]["result"] == "stopped"
     assert "Stopped after 20 seconds: is there a loop" in used["endlessByDefault"]["text"]
     assert "Stopped after 0.5 seconds" in used["endless"]["text"]
 
 
-def test_stop_ends_what_runs_and_the_next_check_works(used):
+def test_stop_ends_what_runs_and_the_next_check_works(used: dict[str, Any]) -> None:
     assert "Stopped. The next check starts it anew." in used["stopped"]["text"]
     assert used["focusAfterStop"] == "Check"
     assert used["afterStop"]["result"] == "error"
 
 
-def test_an_error_shows_the_line_and_what_was_printed(used):
+def test_an_error_shows_the_line_and_what_was_printed(used: dict[str, Any]) -> None:
     text = used["afterStop"]["text"]
     assert "line 2: x = [][1]" in text
     assert "IndexError: list index out of range" in text
@@ -133,14 +149,16 @@ def test_an_error_shows_the_line_and_what_was_printed(used):
     assert "page_runner" not in text
 
 
-def test_hints_are_those_of_the_notebook_and_are_counted(used, tmp_path, monkeypatch):
+def test_hints_are_those_of_the_notebook_and_are_counted(
+    used: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     name = used["names"][1]
     assert used["hints"] == [str(hint(name)) for _ in range(3)]
     assert read_exported(used["exported"], tmp_path)[name].hints == 3
 
 
-def test_reset_can_be_undone_until_the_next_edit(used):
+def test_reset_can_be_undone_until_the_next_edit(used: dict[str, Any]) -> None:
     assert used["reset"] == {
         "isStarter": True,
         "isBack": True,
@@ -148,7 +166,7 @@ def test_reset_can_be_undone_until_the_next_edit(used):
     }
 
 
-def test_the_keyboard_is_enough(used):
+def test_the_keyboard_is_enough(used: dict[str, Any]) -> None:
     keyboard = used["keyboard"]
     assert keyboard["label"] == f"Code of {used['names'][1]}"
     assert keyboard["indented"] == "    pass"
@@ -157,7 +175,7 @@ def test_the_keyboard_is_enough(used):
     assert "by keyboard" in keyboard["said"]["text"]
 
 
-def test_bad_files_are_refused_with_their_reason_and_change_nothing(used):
+def test_bad_files_are_refused_with_their_reason_and_change_nothing(used: dict[str, Any]) -> None:
     reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 4)
     refused, taken = used["imports"][: len(reasons)], used["imports"][len(reasons) :]
     assert len(taken) == 2
@@ -168,7 +186,7 @@ def test_bad_files_are_refused_with_their_reason_and_change_nothing(used):
         assert seen["exported"]["text"] == used["exported"]["text"]
 
 
-def test_an_import_adds_and_loses_nothing(used, tmp_path):
+def test_an_import_adds_and_loses_nothing(used: dict[str, Any], tmp_path: Path) -> None:
     first, second = used["imports"][-2:]
     assert first["said"].startswith("Imported: 2 exercises.")
     assert first["count"] == "1 of 3 solved on this page"
@@ -188,13 +206,15 @@ def test_an_import_adds_and_loses_nothing(used, tmp_path):
     )
 
 
-def test_what_is_exported_is_written_as_the_library_writes_it(used, tmp_path):
+def test_what_is_exported_is_written_as_the_library_writes_it(
+    used: dict[str, Any], tmp_path: Path
+) -> None:
     exported = used["imports"][-1]["exported"]
     save_progress(Progress(read_exported(exported, tmp_path)), tmp_path)
     assert (tmp_path / "labutils-progress.json").read_text() == exported["text"]
 
 
-def test_code_and_progress_survive_a_reload(used):
+def test_code_and_progress_survive_a_reload(used: dict[str, Any]) -> None:
     assert used["reloaded"]["code"].startswith("kept = 'as it was'")
     assert used["reloaded"]["status"] == "Restored: your code from last time."
     assert "IndexError" in used["reloaded"]["text"]
@@ -202,25 +222,25 @@ def test_code_and_progress_survive_a_reload(used):
     assert used["reloadedCount"] == "1 of 3 solved on this page"
 
 
-def test_on_paper_there_is_the_code_and_no_button(used):
+def test_on_paper_there_is_the_code_and_no_button(used: dict[str, Any]) -> None:
     assert used["print"]["editors"] is False
     assert used["print"]["hints"] is False
     assert used["print"]["code"].startswith("kept = 'as it was'")
 
 
-def test_everybody_can_use_it(used):
+def test_everybody_can_use_it(used: dict[str, Any]) -> None:
     assert used["axe"] == []
     assert used["sideways"] <= 0
     assert used["smallButtons"] == []
 
 
-def test_without_scripts_the_page_is_plain(limited):
+def test_without_scripts_the_page_is_plain(limited: dict[str, Any]) -> None:
     exercises = [one for one in read_words().values() if one["chapter"] == "3"]
     count = len(exercises)
     assert limited["scriptless"] == {"sources": count, "checks": count, "hints": count, "ours": 0}
 
 
-def test_without_storage_it_works_and_says_that_nothing_is_kept(limited):
+def test_without_storage_it_works_and_says_that_nothing_is_kept(limited: dict[str, Any]) -> None:
     forgetful = limited["forgetful"]
     assert forgetful["errors"] == []
     assert "This browser keeps nothing" in forgetful["before"]["status"]
@@ -228,7 +248,7 @@ def test_without_storage_it_works_and_says_that_nothing_is_kept(limited):
     assert forgetful["after"]["result"] == "error"
 
 
-def test_without_wheels_the_page_loads_them_and_says_so_before(limited):
+def test_without_wheels_the_page_loads_them_and_says_so_before(limited: dict[str, Any]) -> None:
     cdn = limited["cdn"]
     assert "NumPy and OpenCV from cdn.jsdelivr.net: it needs a network" in cdn["before"]["status"]
     assert cdn["askedBefore"] == 0
@@ -236,11 +256,11 @@ def test_without_wheels_the_page_loads_them_and_says_so_before(limited):
     assert "Not started yet." in cdn["after"]["text"]
 
 
-def test_a_wheel_that_is_not_the_right_one_is_not_run(limited):
+def test_a_wheel_that_is_not_the_right_one_is_not_run(limited: dict[str, Any]) -> None:
     assert limited["spoiled"]["after"]["result"] == "stopped"
     assert "is not the file it should be" in limited["spoiled"]["after"]["text"]
 
 
-def test_without_a_network_the_page_says_what_it_could_not_load(limited):
+def test_without_a_network_the_page_says_what_it_could_not_load(limited: dict[str, Any]) -> None:
     text = limited["unreachable"]["after"]["text"]
     assert "numpy could not be loaded from cdn.jsdelivr.net" in text

@@ -6,7 +6,9 @@ import base64
 import io
 import json
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -41,7 +43,7 @@ from solutions import load_exercises
 
 
 @pytest.fixture(scope="module")
-def plan(tmp_path_factory):
+def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted((ROOT / "solutions").glob("*.py")):
@@ -75,18 +77,27 @@ PARAMETERS = [
 
 
 @pytest.fixture(scope="module", params=PARAMETERS)
-def used(request, chromium, file_site, plan, page_python, once):  # noqa: ARG001 - needed to run
+def used(
+    request: pytest.FixtureRequest,
+    chromium: Callable[..., Any],
+    file_site: str,
+    plan: Path,
+    page_python: dict[str, Any],  # noqa: ARG001 - needed to run
+    once: Callable[..., Any],
+) -> tuple[str, dict[str, Any]]:
     """One page with all its exercises, opened from a file."""
     page = page_of(request.param)
     make = lambda: chromium("exercises.mjs", file_site, page, plan)  # noqa: E731
     return request.param, once(f"exercises-{request.param}", make)
 
 
-def page_of(chapter):
+def page_of(chapter: str) -> str:
     return get_chapter(chapter).exercises
 
 
-def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
+def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(
+    used: tuple[str, dict[str, Any]],
+) -> None:
     chapter, done = used
     assert done["complaints"] == []
     assert "ready" in done["setup"]["text"]
@@ -106,7 +117,9 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(used):
         assert ".html" not in said["wrong"]["text"]
 
 
-def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
+def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(
+    used: tuple[str, dict[str, Any]],
+) -> None:
     _, done = used
     assert done["said"]
     for name, said in done["said"].items():
@@ -115,7 +128,11 @@ def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(used):
         assert said["wrong"]["pictures"] == drawn, name
 
 
-def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  # noqa: ARG001
+def test_from_a_server_python_works_as_well(
+    chromium: Callable[..., Any],
+    http_site: str,
+    page_python: dict[str, Any],  # noqa: ARG001
+) -> None:
     done = chromium("exercises.mjs", http_site, page_of("step3"))
     (said,) = done["said"].values()
     assert said["starter"]["result"] == "failed"
@@ -123,7 +140,11 @@ def test_from_a_server_python_works_as_well(chromium, http_site, page_python):  
     assert done["complaints"] == []
 
 
-def test_python_works_in_firefox_too(firefox, site, page_python):  # noqa: ARG001
+def test_python_works_in_firefox_too(
+    firefox: Callable[..., Any],
+    site: str,
+    page_python: dict[str, Any],  # noqa: ARG001
+) -> None:
     done = firefox("exercises_firefox.mjs", site, page_of("step3"))
     assert "Not started yet." in done["text"]
     assert done["complaints"] == []

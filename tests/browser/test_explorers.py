@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from math import inf
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -21,17 +24,23 @@ PAGES = find_pages()
 
 
 @pytest.fixture(scope="module", params=browser.PROTOCOLS)
-def protocol(request):
+def protocol(request: pytest.FixtureRequest) -> str:
     return request.param
 
 
 @pytest.fixture(scope="module", params=PAGES)
-def page(request):
+def page(request: pytest.FixtureRequest) -> str:
     return request.param
 
 
 @pytest.fixture(scope="module")
-def used(protocol, page, request, chromium, once):
+def used(
+    protocol: str,
+    page: str,
+    request: pytest.FixtureRequest,
+    chromium: Callable[..., Any],
+    once: Callable[..., Any],
+) -> dict[str, Any]:
     """What the explorers of a page said while they were used."""
     site = request.getfixturevalue(f"{protocol}_site")
     seen = once(f"explorers-{protocol}", lambda: chromium("explorers.mjs", site, *PAGES))[page]
@@ -39,7 +48,7 @@ def used(protocol, page, request, chromium, once):
     return seen
 
 
-def agree(expected, found) -> bool:
+def agree(expected: Any, found: Any) -> bool:
     """Compare values from Python with values that came as JSON."""
     if isinstance(expected, dict):
         return expected.keys() == found.keys() and all(agree(expected[k], found[k]) for k in found)
@@ -52,7 +61,9 @@ def agree(expected, found) -> bool:
     return type(expected) is type(found) and expected == found
 
 
-def test_every_control_changes_the_readout_to_what_labutils_computes(page, used, student_pages):
+def test_every_control_changes_the_readout_to_what_labutils_computes(
+    page: str, used: dict[str, Any], student_pages: Path
+) -> None:
     views = read_views((student_pages / f"{page}.html").read_text(encoding="utf-8"))
     assert len(views) == len(used["explorers"]) > 0
     for view, explorer in zip(views, used["explorers"], strict=True):
@@ -63,7 +74,7 @@ def test_every_control_changes_the_readout_to_what_labutils_computes(page, used,
             assert agree(expected, said["values"]), (said, expected)
 
 
-def test_every_control_moves_its_value(used):
+def test_every_control_moves_its_value(used: dict[str, Any]) -> None:
     for explorer in used["explorers"]:
         controls = {move["control"] for move in explorer["moves"]}
         assert controls, "an explorer without a control"
@@ -82,11 +93,11 @@ def test_every_control_moves_its_value(used):
                 assert len(set(seen)) >= steps, (control, seen)
 
 
-def flatten(value):
+def flatten(value: Any) -> list[Any]:
     return value if isinstance(value, list) else [value]
 
 
-def test_reset_brings_the_first_values_back(used):
+def test_reset_brings_the_first_values_back(used: dict[str, Any]) -> None:
     for explorer in used["explorers"]:
         # not equal: a slider keeps percents, and turns 45 into 45.00000000000001
         assert agree(explorer["first"], explorer["reset"])
@@ -95,23 +106,23 @@ def test_reset_brings_the_first_values_back(used):
         )
 
 
-def test_a_screen_reader_hears_the_result_and_every_name(used):
+def test_a_screen_reader_hears_the_result_and_every_name(used: dict[str, Any]) -> None:
     for explorer in used["explorers"]:
         assert explorer["spoken"] == explorer["readout"] != ""
         assert explorer["unnamed"] == 0
 
 
-def test_on_paper_and_without_scripts_a_poster_stands_in(used):
+def test_on_paper_and_without_scripts_a_poster_stands_in(used: dict[str, Any]) -> None:
     count = len(used["explorers"])
     assert used["printed"] == {"posters": count, "explorers": 0}
     assert used["withoutScripts"] == {"posters": count, "explorers": 0}
 
 
-def test_using_explorers_asks_no_other_host_and_raises_no_error(used):
+def test_using_explorers_asks_no_other_host_and_raises_no_error(used: dict[str, Any]) -> None:
     assert used["complaints"] == []
 
 
-def test_every_explorer_is_used_on_some_page():
+def test_every_explorer_is_used_on_some_page() -> None:
     text = "".join((ROOT / page).with_suffix(".md").read_text("utf-8") for page in PAGES)
     assert len(find_widgets()) > 5
     for name in find_widgets():

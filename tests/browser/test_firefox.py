@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -19,7 +22,7 @@ PAGES = (
 WIDGET = re.compile(r"widget-view\+json")
 
 
-def pages_to_open(folder):
+def pages_to_open(folder: Path) -> list[str]:
     """Choose the pages: the fixed ones, and every page that shows a widget."""
     with_widgets = [
         page
@@ -30,7 +33,12 @@ def pages_to_open(folder):
 
 
 @pytest.fixture(scope="module", params=browser.PROTOCOLS)
-def visits(request, firefox, student_pages, once):
+def visits(
+    request: pytest.FixtureRequest,
+    firefox: Callable[..., Any],
+    student_pages: Path,
+    once: Callable[..., Any],
+) -> dict[str, Any]:
     """What a visitor with Firefox finds: {page: findings}."""
     site = request.getfixturevalue(f"{request.param}_site")
     pages = pages_to_open(student_pages)
@@ -42,13 +50,13 @@ def visits(request, firefox, student_pages, once):
     return seen
 
 
-def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits):
+def test_pages_open_in_firefox_without_errors_and_ask_no_other_host(visits: dict[str, Any]) -> None:
     assert {
         page: visit["complaints"] for page, visit in visits.items() if visit["complaints"]
     } == {}
 
 
-def test_firefox_draws_pictures_widgets_formulas_and_icons(visits):
+def test_firefox_draws_pictures_widgets_formulas_and_icons(visits: dict[str, Any]) -> None:
     for page, visit in visits.items():
         assert visit["notDrawn"] == [], page
         assert visit["drawn"] == visit["views"], page
@@ -57,5 +65,5 @@ def test_firefox_draws_pictures_widgets_formulas_and_icons(visits):
         assert set(visit["iconFonts"]) == {"loaded"}, page
 
 
-def test_nothing_is_wider_than_a_narrow_phone_in_firefox(visits):
+def test_nothing_is_wider_than_a_narrow_phone_in_firefox(visits: dict[str, Any]) -> None:
     assert {page: visit["tooWide"] for page, visit in visits.items() if visit["tooWide"] > 0} == {}

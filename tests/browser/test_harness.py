@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from http.client import HTTPConnection
+from pathlib import Path
+from typing import NoReturn
 from urllib.parse import urlsplit
 
 import pytest
 from _pytest.outcomes import Failed, Skipped
 
 from tests.helpers import browser
+from tools.vendor import npm
 
 
-def test_a_browser_named_by_the_environment_comes_first(monkeypatch):
+def test_a_browser_named_by_the_environment_comes_first(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CHROMIUM", "/opt/own/chromium")
     assert browser.require_chromium() == "/opt/own/chromium"
 
@@ -24,8 +28,8 @@ def test_a_browser_named_by_the_environment_comes_first(monkeypatch):
     ],
 )
 def test_without_a_browser_tests_are_skipped_or_fail_where_it_is_required(
-    require, message, monkeypatch, tmp_path
-):
+    require: Callable[[], str], message: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     for name in ("CHROMIUM", "FIREFOX", "REQUIRE_BROWSER"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
@@ -36,31 +40,37 @@ def test_without_a_browser_tests_are_skipped_or_fail_where_it_is_required(
         require()
 
 
-def test_without_pages_the_command_that_builds_them_is_named(monkeypatch, tmp_path):
+def test_without_pages_the_command_that_builds_them_is_named(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
     monkeypatch.setattr(browser, "STUDENT_PAGES", tmp_path)
     with pytest.raises(Skipped, match="make book"):
         browser.require_pages()
 
 
-def test_without_a_network_the_missing_drivers_are_named(monkeypatch):
-    def refuse():
-        raise browser.npm.VendorError("npm could not fetch")
+def test_without_a_network_the_missing_drivers_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse() -> NoReturn:
+        raise npm.VendorError("npm could not fetch")
 
     monkeypatch.delenv("REQUIRE_BROWSER", raising=False)
-    monkeypatch.setattr(browser.npm, "install", refuse)
+    monkeypatch.setattr(npm, "install", refuse)
     with pytest.raises(Skipped, match="npm could not fetch"):
         browser.require_packages()
 
 
-def test_a_script_that_fails_shows_its_reason(monkeypatch, tmp_path):
+def test_a_script_that_fails_shows_its_reason(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(browser, "SCRIPTS", tmp_path)
     (tmp_path / "broken.mjs").write_text('throw new Error("the tab is gone");')
     with pytest.raises(AssertionError, match="the tab is gone"):
         browser.run_script("broken.mjs")
 
 
-def test_a_script_gets_its_arguments_and_returns_its_json(monkeypatch, tmp_path):
+def test_a_script_gets_its_arguments_and_returns_its_json(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(browser, "SCRIPTS", tmp_path)
     (tmp_path / "echo.mjs").write_text(
         "process.stdout.write(JSON.stringify([...process.argv.slice(2), process.env.FROM_TEST]));"
@@ -69,10 +79,10 @@ def test_a_script_gets_its_arguments_and_returns_its_json(monkeypatch, tmp_path)
     assert answer == ["a b", "3", "yes"]
 
 
-def test_what_is_made_once_is_read_afterwards(tmp_path):
+def test_what_is_made_once_is_read_afterwards(tmp_path: Path) -> None:
     made = []
 
-    def make():
+    def make() -> dict[str, int]:
         made.append(1)
         return {"page": 1}
 
@@ -81,7 +91,7 @@ def test_what_is_made_once_is_read_afterwards(tmp_path):
     assert len(made) == 1
 
 
-def test_a_folder_is_served_while_it_is_needed(tmp_path):
+def test_a_folder_is_served_while_it_is_needed(tmp_path: Path) -> None:
     (tmp_path / "page.html").write_text("text")
     with browser.serve(tmp_path) as address:
         server = HTTPConnection(urlsplit(address).netloc)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import cv2
@@ -31,7 +32,12 @@ def own() -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def used(scene, own, chromium, tmp_path_factory) -> dict[str, Any]:
+def used(
+    scene: np.ndarray,
+    own: np.ndarray,
+    chromium: Callable[..., Any],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> dict[str, Any]:
     """What happened while the view was used from a file."""
     folder = tmp_path_factory.mktemp("hsv")
     write_view_page(explore_hsv(scene, RED).view, folder / "hsv.html")
@@ -39,11 +45,13 @@ def used(scene, own, chromium, tmp_path_factory) -> dict[str, Any]:
     return chromium("hsv.mjs", folder.as_uri() + "/", "hsv", folder / "own.png")
 
 
-def test_the_view_alone_tells_what_labutils_computes(used, scene):
+def test_the_view_alone_tells_what_labutils_computes(
+    used: dict[str, Any], scene: np.ndarray
+) -> None:
     assert used["first"]["values"] == explore_hsv(scene, RED).values
 
 
-def test_overlay_mask_and_picture_show_what_is_selected_and_a_cross(used):
+def test_overlay_mask_and_picture_show_what_is_selected_and_a_cross(used: dict[str, Any]) -> None:
     red, gray, dim = [200, 20, 30, 255], [90, 90, 90, 255], [36, 36, 36, 255]
     white, black = [255] * 4, [0, 0, 0, 255]
     assert used["drawn"] == [
@@ -71,14 +79,18 @@ def test_overlay_mask_and_picture_show_what_is_selected_and_a_cross(used):
         ("click in the middle", (165, 100)),
     ],
 )
-def test_the_ring_moves_both_hues_by_keyboard_and_by_pointer(used, step, hues):
+def test_the_ring_moves_both_hues_by_keyboard_and_by_pointer(
+    used: dict[str, Any], step: str, hues: tuple[int, int]
+) -> None:
     low, high = hues
     lit = high - low + 1 if low <= high else 180 - low + high + 1
     assert used["ring"][step] == {"traits": [low, high], "ends": [low, high], "lit": lit}
 
 
 @pytest.mark.parametrize("way", ["file", "dropped", "pasted"])
-def test_a_picture_of_the_reader_is_segmented_as_labutils_would(used, own, way):
+def test_a_picture_of_the_reader_is_segmented_as_labutils_would(
+    used: dict[str, Any], own: np.ndarray, way: str
+) -> None:
     seen = used["own"][way]
     assert (seen["picture"], seen["size"]) == ("own", [60, 110])
     assert seen["values"] == explore_hsv(own, RED).values
@@ -86,13 +98,13 @@ def test_a_picture_of_the_reader_is_segmented_as_labutils_would(used, own, way):
     assert seen["buttons"] == ["Open picture", "Camera", "Back to scene"]
 
 
-def test_a_file_that_is_no_picture_is_named_and_changes_nothing(used):
+def test_a_file_that_is_no_picture_is_named_and_changes_nothing(used: dict[str, Any]) -> None:
     broken, before = used["own"]["broken"], used["own"]["file"]
     assert broken["message"] == "words.png cannot be read as a picture."
     assert broken["values"] == before["values"]
 
 
-def test_the_scene_comes_back(used):
+def test_the_scene_comes_back(used: dict[str, Any]) -> None:
     for seen in (used["own"]["back"], used["last"]):
         assert seen["values"] == used["first"]["values"]
         assert seen["picture"] == "scene"
@@ -100,11 +112,11 @@ def test_the_scene_comes_back(used):
         assert seen["focused"] == "Open picture"  # the button pressed is gone
 
 
-def test_a_file_over_the_picture_is_expected(used):
+def test_a_file_over_the_picture_is_expected(used: dict[str, Any]) -> None:
     assert used["own"]["dropping"] == 1
 
 
-def test_the_camera_gives_a_still_of_the_size_of_the_scene_and_stops(used):
+def test_the_camera_gives_a_still_of_the_size_of_the_scene_and_stops(used: dict[str, Any]) -> None:
     camera = used["camera"]
     assert camera["on"]["buttons"] == ["Take the picture", "Cancel"]
     assert camera["on"]["focused"] == "Take the picture"
@@ -116,7 +128,7 @@ def test_the_camera_gives_a_still_of_the_size_of_the_scene_and_stops(used):
     assert used["picked"]["values"]["pixel_rgb"] == [0, 255, 0]  # the wall that it filmed
 
 
-def test_a_camera_that_does_not_start_is_explained(used):
+def test_a_camera_that_does_not_start_is_explained(used: dict[str, Any]) -> None:
     denied = "The browser did not allow the camera. You can open a picture instead."
     assert used["camera"]["denied"]["message"] == denied
     assert used["camera"]["denied"]["focused"] == "Camera"
@@ -124,7 +136,7 @@ def test_a_camera_that_does_not_start_is_explained(used):
     assert used["camera"]["strange"]["message"] == strange
 
 
-def test_no_picture_of_the_reader_leaves_the_page_or_enters_a_trait(used):
+def test_no_picture_of_the_reader_leaves_the_page_or_enters_a_trait(used: dict[str, Any]) -> None:
     assert used["complaints"] == []
     before = used["own"]["before"]["traits"]
     for way in ("file", "dropped", "pasted"):
@@ -132,7 +144,7 @@ def test_no_picture_of_the_reader_leaves_the_page_or_enters_a_trait(used):
     assert used["camera"]["taken"]["traits"] == before
 
 
-def test_no_picture_moves_what_stands_below(used):
+def test_no_picture_moves_what_stands_below(used: dict[str, Any]) -> None:
     steps = [used["first"], *(used["own"][way] for way in ("file", "broken", "back", "pasted"))]
     steps += [used["camera"][step] for step in ("on", "taken", "denied")]
     assert len({step["place"] for step in steps}) == 1

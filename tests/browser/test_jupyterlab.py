@@ -8,7 +8,10 @@ import subprocess
 import sys
 import time
 import urllib.request
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
 
 import nbformat
 import pytest
@@ -24,7 +27,7 @@ LONGEST_START = 120  # seconds
 
 
 @contextmanager
-def serve_lab(folder):
+def serve_lab(folder: Path) -> Iterator[str]:
     """Start JupyterLab in a folder, without a browser and without a password, on this machine."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -58,7 +61,7 @@ def serve_lab(folder):
             server.terminate()
 
 
-def wait_for(server, address, log):
+def wait_for(server: subprocess.Popen[bytes], address: str, log: Path) -> None:
     end = time.monotonic() + LONGEST_START
     while time.monotonic() < end and server.poll() is None:
         try:
@@ -70,7 +73,7 @@ def wait_for(server, address, log):
 
 
 @pytest.fixture(scope="module")
-def seen(tmp_path_factory, chromium):
+def seen(tmp_path_factory: pytest.TempPathFactory, chromium: Callable[..., Any]) -> dict[str, Any]:
     folder = tmp_path_factory.mktemp("lab")
     notebook = nbformat.v4.new_notebook()
     notebook.metadata["kernelspec"] = {
@@ -84,31 +87,31 @@ def seen(tmp_path_factory, chromium):
         return chromium("jupyterlab.mjs", address, "explore.ipynb")
 
 
-def to_degrees(radians):
+def to_degrees(radians: float) -> float:
     return radians * 180 / 3.141592653589793
 
 
-def agree(seen):
+def agree(seen: dict[str, Any]) -> bool:
     return to_degrees(seen["python"]["fov_y"]) == pytest.approx(seen["page"]["fov_y_deg"])
 
 
-def test_python_reads_where_the_slider_was_dragged(seen):
+def test_python_reads_where_the_slider_was_dragged(seen: dict[str, Any]) -> None:
     assert seen["dragged"]["page"]["fov_y_deg"] > seen["before"]["page"]["fov_y_deg"] + 5
     assert agree(seen["before"])
     assert agree(seen["dragged"])
     assert seen["dragged"]["python"]["f"] < seen["before"]["python"]["f"]
 
 
-def test_arrow_keys_move_the_slider_and_not_the_notebook(seen):
+def test_arrow_keys_move_the_slider_and_not_the_notebook(seen: dict[str, Any]) -> None:
     moved = seen["pressed"]["page"]["fov_y_deg"] - seen["dragged"]["page"]["fov_y_deg"]
     assert moved == pytest.approx(1.0)  # two steps of half a degree
     assert agree(seen["pressed"])
 
 
-def test_reset_reaches_python_too(seen):
+def test_reset_reaches_python_too(seen: dict[str, Any]) -> None:
     assert seen["reset"]["python"]["fov_y"] == pytest.approx(seen["before"]["python"]["fov_y"])
     assert agree(seen["reset"])
 
 
-def test_the_slider_has_a_name_there_too(seen):
+def test_the_slider_has_a_name_there_too(seen: dict[str, Any]) -> None:
     assert seen["name"] == "fov_y (°)"

@@ -5,6 +5,9 @@ from __future__ import annotations
 import base64
 import io
 import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
 
 import pytest
 from fontTools.ttLib import TTFont
@@ -17,20 +20,24 @@ FONT = re.compile(r'font-family:"([^"]+)".*?base64,([^)]+)\)')
 
 
 @pytest.fixture(scope="module")
-def visits(chromium, http_site, once):
+def visits(
+    chromium: Callable[..., Any], http_site: str, once: Callable[..., Any]
+) -> dict[str, Any]:
     """The same visits that test_pages.py looks at."""
     return once("pages-http", lambda: chromium("pages.mjs", http_site, *browser.names_of_pages()))
 
 
 @pytest.mark.parametrize("page", browser.names_of_pages())
-def test_a_first_visit_keeps_to_its_budget(visits, page):
+def test_a_first_visit_keeps_to_its_budget(visits: dict[str, Any], page: str) -> None:
     visit = visits[page]
     heaviest = sorted(visit["weights"].items(), key=lambda item: -item[1])[:6]
     budget = WIDGET_BUDGET if visit["views"] else PLAIN_BUDGET
     assert 0 < sum(visit["weights"].values()) <= budget, heaviest
 
 
-def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages):
+def test_every_icon_that_a_page_draws_is_in_its_font(
+    visits: dict[str, Any], student_pages: Path
+) -> None:
     sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
     fonts = {
         family: TTFont(io.BytesIO(base64.b64decode(data))).getBestCmap()
@@ -43,14 +50,14 @@ def test_every_icon_that_a_page_draws_is_in_its_font(visits, student_pages):
         assert int(code, 16) in fonts.get(family, {}), icon
 
 
-def test_the_icons_name_their_license(student_pages):
+def test_the_icons_name_their_license(student_pages: Path) -> None:
     sheet = (student_pages / "_static" / "icon_fonts.css").read_text(encoding="utf-8")
     assert "Font Awesome" in sheet
     assert "CC BY 4.0" in sheet
     assert "SIL OFL 1.1" in sheet
 
 
-def test_the_site_carries_no_files_that_no_page_uses(student_pages):
+def test_the_site_carries_no_files_that_no_page_uses(student_pages: Path) -> None:
     static = student_pages / "_static"
     assert not list(static.rglob("*.map"))
     assert not (static / "locales").exists()

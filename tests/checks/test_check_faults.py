@@ -3,6 +3,8 @@
 import json
 import subprocess
 import sys
+from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -12,16 +14,18 @@ from labutils.checks.table import TABLES, TableError, load_table, read_words
 
 
 @pytest.fixture(autouse=True)
-def in_empty_folder(tmp_path, monkeypatch):
+def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def right_depth(depth_raw, near, far):
+def right_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     return near * far / (far - np.clip(depth_raw, 0, 1) * (far - near))
 
 
-def test_fault_of_the_checker_is_not_blamed_on_the_learner(tmp_path, monkeypatch):
-    def break_down(*_):
+def test_fault_of_the_checker_is_not_blamed_on_the_learner(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def break_down(*_: object) -> NoReturn:
         raise RuntimeError("a bug of ours")
 
     monkeypatch.setattr("labutils.checks.judging.find_failure", break_down)
@@ -33,8 +37,10 @@ def test_fault_of_the_checker_is_not_blamed_on_the_learner(tmp_path, monkeypatch
 
 
 @pytest.mark.parametrize("target", ["read_words", "load_table"])
-def test_damaged_installation_is_not_blamed_on_the_learner(target, monkeypatch):
-    def fail(*_):
+def test_damaged_installation_is_not_blamed_on_the_learner(
+    target: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_: object) -> NoReturn:
         raise TableError("the check tables cannot be read (gone)")
 
     monkeypatch.setattr(f"labutils.checks.keeping.{target}", fail)
@@ -43,7 +49,7 @@ def test_damaged_installation_is_not_blamed_on_the_learner(target, monkeypatch):
     assert "cannot be read" in verdict.message
 
 
-def test_missing_or_damaged_tables_are_reported(tmp_path):
+def test_missing_or_damaged_tables_are_reported(tmp_path: Path) -> None:
     with pytest.raises(TableError, match="check tables cannot be read"):
         read_words(tmp_path)
     (tmp_path / "exercises.json").write_bytes((TABLES / "exercises.json").read_bytes())
@@ -51,7 +57,7 @@ def test_missing_or_damaged_tables_are_reported(tmp_path):
         load_table("process_depth", tmp_path)
 
 
-def test_tables_hold_no_objects_and_no_code():
+def test_tables_hold_no_objects_and_no_code() -> None:
     for path in TABLES.glob("*.npz"):
         with np.load(path, allow_pickle=False) as stored:
             assert all(stored[key].dtype.kind in "biufU" for key in stored.files)
@@ -60,13 +66,16 @@ def test_tables_hold_no_objects_and_no_code():
     assert json.loads(text).keys() == read_words().keys()
 
 
-def test_frozen_arrays_cannot_be_overwritten():
-    table = load_table("process_depth")
+def test_frozen_arrays_cannot_be_overwritten() -> None:
+    due = load_table("process_depth").expected[0]
+    assert isinstance(due, tuple)
+    (depth,) = due
+    assert depth is not None
     with pytest.raises(ValueError, match="read-only"):
-        table.expected[0][0][0, 0] = 1
+        depth[0, 0] = 1
 
 
-def test_checks_need_neither_mujoco_nor_matplotlib():
+def test_checks_need_neither_mujoco_nor_matplotlib() -> None:
     code = (
         "import sys; sys.modules['mujoco'] = None; import labutils.checks as c;"
         "print([m for m in ('matplotlib', 'open3d', 'ipywidgets') if m in sys.modules]);"
@@ -80,7 +89,7 @@ def test_checks_need_neither_mujoco_nor_matplotlib():
     assert "Open the page as a notebook" in done.stdout
 
 
-def test_without_mujoco_every_other_exercise_is_checked(monkeypatch):
+def test_without_mujoco_every_other_exercise_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "mujoco", None)
     monkeypatch.delitem(sys.modules, "labutils.checks.scenes", raising=False)
     seen = set()

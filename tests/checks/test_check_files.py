@@ -8,6 +8,7 @@ import subprocess
 import sys
 import zipfile
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -20,20 +21,22 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
-def tool():
+def tool() -> ModuleType:
     return exercises
 
 
 @pytest.fixture(scope="module")
-def files(tool):
+def files(tool: ModuleType) -> dict[Path, bytes]:
     return tool.make_files(load_exercises())
 
 
-def test_derived_files_are_current(tool, files):
+def test_derived_files_are_current(tool: ModuleType, files: dict[Path, bytes]) -> None:
     assert tool.find_stale(files, ROOT) == {}
 
 
-def test_a_file_that_is_stale_missing_or_left_over_is_told(tool, files, tmp_path):
+def test_a_file_that_is_stale_missing_or_left_over_is_told(
+    tool: ModuleType, files: dict[Path, bytes], tmp_path: Path
+) -> None:
     for path, content in files.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_bytes(content)
@@ -49,7 +52,9 @@ def test_a_file_that_is_stale_missing_or_left_over_is_told(tool, files, tmp_path
 
 
 @pytest.mark.slow  # derives everything five times
-def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, capsys):
+def test_check_fails_where_a_file_is_stale_missing_or_left_over(
+    tool: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert tool.main(["--root", str(tmp_path)]) == 0
     assert tool.main(["--root", str(tmp_path), "--check"]) == 0
     (tmp_path / tool.RUBRIC).write_text("other")
@@ -64,7 +69,7 @@ def test_check_fails_where_a_file_is_stale_missing_or_left_over(tool, tmp_path, 
     assert tool.main(["--root", str(tmp_path), "--check"]) == 0
 
 
-def test_tables_are_the_same_bytes_in_another_process(files):
+def test_tables_are_the_same_bytes_in_another_process(files: dict[Path, bytes]) -> None:
     code = (
         "import hashlib; from tools.derive import exercises as m;"
         "from solutions import load_exercises as e; f = m.make_files(e());"
@@ -77,7 +82,7 @@ def test_tables_are_the_same_bytes_in_another_process(files):
     assert done.stdout.strip() == hashlib.sha256(joined).hexdigest()
 
 
-def test_archives_hold_no_times_and_no_compression(files):
+def test_archives_hold_no_times_and_no_compression(files: dict[Path, bytes]) -> None:
     archives = [content for path, content in files.items() if path.suffix == ".npz"]
     assert len(archives) == len(load_exercises())
     for content in archives:
@@ -88,17 +93,20 @@ def test_archives_hold_no_times_and_no_compression(files):
                 assert member.compress_type == zipfile.ZIP_STORED
 
 
-def test_tables_stay_small(files, tool):
+def test_tables_stay_small(files: dict[Path, bytes], tool: ModuleType) -> None:
     size = sum(len(content) for path, content in files.items() if path.parent == tool.TABLES)
     assert 0 < size < 2_000_000  # for 22 exercises: a page in the browser loads them all
 
 
-def test_starters_hold_signature_and_docstring_and_nothing_of_the_body(files, tool):
+def test_starters_hold_signature_and_docstring_and_nothing_of_the_body(
+    files: dict[Path, bytes], tool: ModuleType
+) -> None:
     for name, exercise in load_exercises().items():
         text = files[tool.STARTERS / f"{name}.py"].decode()
         assert f"def {name}(" in text
-        head = re.search(r"def \w+\((.*?)\):", text, re.DOTALL)[1]
-        names = [word.partition("=")[0].strip() for word in head.split(",") if word.strip()]
+        head = re.search(r"def \w+\((.*?)\):", text, re.DOTALL)
+        assert head is not None
+        names = [word.partition("=")[0].strip() for word in head[1].split(",") if word.strip()]
         assert tuple(names) == exercise.parameters
         assert text.rstrip().endswith("raise NotImplementedError")
         source = inspect.getsource(exercise.reference)
@@ -108,7 +116,7 @@ def test_starters_hold_signature_and_docstring_and_nothing_of_the_body(files, to
                 assert line.strip() not in text
 
 
-def test_rubric_sums_to_100_or_is_refused(files, tool):
+def test_rubric_sums_to_100_or_is_refused(files: dict[Path, bytes], tool: ModuleType) -> None:
     assert "**100**" in files[tool.RUBRIC].decode()
     exercises = dict(load_exercises())
     del exercises["camera_to_world"]
@@ -116,14 +124,14 @@ def test_rubric_sums_to_100_or_is_refused(files, tool):
         tool.make_rubric(exercises)
 
 
-def test_hints_name_every_mistake(files, tool):
+def test_hints_name_every_mistake(files: dict[Path, bytes], tool: ModuleType) -> None:
     text = files[tool.HINTS].decode()
     for exercise in load_exercises().values():
         assert exercise.tolerance_reason in text
         assert all(f"| {one.name} | {one.text} |" in text for one in exercise.misconceptions)
 
 
-def test_packed_arrays_come_back(tool):
+def test_packed_arrays_come_back(tool: ModuleType) -> None:
     arrays = {"a0": np.arange(6.0).reshape(2, 3), "a1": np.array([[True]])}
     with np.load(io.BytesIO(tool.pack(arrays)), allow_pickle=False) as stored:
         for key, value in arrays.items():
@@ -131,7 +139,9 @@ def test_packed_arrays_come_back(tool):
             assert (stored[key] == value).all()
 
 
-def test_pages_are_derived_and_what_does_not_fit_is_refused(files, tool):
+def test_pages_are_derived_and_what_does_not_fit_is_refused(
+    files: dict[Path, bytes], tool: ModuleType
+) -> None:
     exercises = load_exercises()
     step4 = get_chapter("step4")
     page = ROOT / f"{step4.exercises}.md"
@@ -150,7 +160,9 @@ def test_pages_are_derived_and_what_does_not_fit_is_refused(files, tool):
         tool.fill_chapter(text, without, step4)
 
 
-def test_starters_fit_into_a_cell_without_scrolling(files, tool):
+def test_starters_fit_into_a_cell_without_scrolling(
+    files: dict[Path, bytes], tool: ModuleType
+) -> None:
     starters = {path: text for path, text in files.items() if path.parent == tool.STARTERS}
     assert len(starters) == len(load_exercises())
     for path, content in starters.items():
@@ -159,7 +171,9 @@ def test_starters_fit_into_a_cell_without_scrolling(files, tool):
         assert max(map(len, lines)) <= 76, f"{path}: expected lines of at most 76 characters"
 
 
-def test_tables_may_differ_by_a_rounding_but_by_no_more(files, tool):
+def test_tables_may_differ_by_a_rounding_but_by_no_more(
+    files: dict[Path, bytes], tool: ModuleType
+) -> None:
     path = tool.TABLES / "depth_to_pointcloud.npz"
     with np.load(io.BytesIO(files[path])) as stored:
         arrays = {name: stored[name].copy() for name in stored.files}

@@ -10,11 +10,14 @@ from labutils.checks.compare import to_canonical
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
 from labutils.checks.kinds.panels import draw_pictures
-from labutils.checks.table import Case, Part, load_table, part_to_words
+from labutils.checks.table import Case, CheckTable, Part, load_table, part_to_words
+from labutils.checks.verdict import PanelPicture
 from tools.editions.mistakes import describe_residual
 
 
-def make_table(part, *expected, wrong=None):
+def make_table(
+    part: Part, *expected: np.ndarray, wrong: list[np.ndarray] | None = None
+) -> CheckTable:
     """Make a table of one part, with a case per answer due."""
     return replace(
         load_table("camera_to_world"),
@@ -30,22 +33,24 @@ def make_table(part, *expected, wrong=None):
 class Bearing(Kind):
     """A direction in degrees: 350 and -10 are the same."""
 
-    def to_canonical(self, value):
+    def to_canonical(self, value: np.ndarray) -> np.ndarray:
         return value % 360
 
-    def get_differences(self, part, expected, yours):
+    def get_differences(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
         del part
         return (yours - expected + 180) % 360 - 180
 
-    def describe(self, part, expected, yours, wrong):
+    def describe(
+        self, part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray
+    ) -> str:
         turn = self.get_differences(part, expected, yours)[wrong]
         return f"{part.name} is turned too far to the {'left' if turn[0] > 0 else 'right'}."
 
-    def describe_worst(self, part, expected, yours):
+    def describe_worst(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> str:
         worst = np.argmax(np.abs(self.get_differences(part, expected, yours)))
         return f"Worst bearing: number {worst}."
 
-    def draw(self, part, expected, yours):
+    def draw(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPicture | None:
         if expected.shape != yours.shape:
             return None
         gaps = np.abs(self.get_differences(part, expected, yours))[None]
@@ -54,14 +59,14 @@ class Bearing(Kind):
 
 
 @pytest.fixture
-def bearing(monkeypatch):
+def bearing(monkeypatch: pytest.MonkeyPatch) -> Part:
     """Register a kind that the library does not have; nothing else is told of it."""
     kind = Bearing(name="bearing", ndim=1, shape="one bearing per camera", counts_rows=True)
     monkeypatch.setitem(KINDS, "bearing", kind)
     return Part("pan", "bearing", "float", atol=0.5, unit="deg")
 
 
-def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing):
+def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing: Part) -> None:
     due = np.array([10.0, 350.0, 180.0])
     table = make_table(bearing, due, wrong=[(due + 180) % 360])
     assert judge_answers(table, ((np.array([370.0, -10.2, -180.0]),),)).passed
@@ -71,6 +76,7 @@ def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing):
         "pan is turned too far to the right.",
         "Case 1 of 1: case 0. Worst bearing: number 2.",
     )
+    assert verdict.picture is not None
     assert verdict.picture.summary.startswith("pan: expected, yours, difference; worst pixel")
     verdict = judge_answers(table, ((due - 180,),))
     assert verdict.misconception == "upside-down"
@@ -81,9 +87,11 @@ def test_new_kind_is_judged_told_and_drawn_by_its_entry_alone(bearing):
     assert verdict.paragraphs[0] == "pan has shape (3, 3); due is one bearing per camera."
 
 
-def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing):
+def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing: Part) -> None:
     assert part_to_words(bearing)["kind"] == "bearing"
-    (frozen,) = to_canonical((bearing,), (np.array([-10.0]),))
+    canonical = to_canonical((bearing,), (np.array([-10.0]),))
+    assert isinstance(canonical, tuple)
+    (frozen,) = canonical
     assert frozen == 350
     due = np.array([10.0, 350.0])
     size, words = describe_residual((bearing,), (due,), (due + np.array([0, 365]),))
@@ -95,12 +103,12 @@ def test_new_kind_is_frozen_measured_and_tried_without_being_known(bearing):
         assert (find_failure(table, ((moved,),)) is None) is passes
 
 
-def test_every_name_stands_for_one_kind():
+def test_every_name_stands_for_one_kind() -> None:
     names = [kind.name for family in _FAMILIES for kind in family.KINDS]
     assert sorted(names) == sorted(set(names)) == sorted(KINDS)
 
 
-def test_unknown_kind_is_refused_with_the_known_ones():
+def test_unknown_kind_is_refused_with_the_known_ones() -> None:
     with pytest.raises(ValueError, match=r"pose: expected a kind of number, .*, got 'psoe'"):
         get_kind(Part("pose", "psoe", "float"))
 
@@ -118,7 +126,7 @@ GRID = np.arange(12.0).reshape(4, 3)
         ("vector", RAMP[1], -RAMP[1], "x[0] is of the wrong sign; x[1] is of the wrong sign; x[2]"),
         ("vector", np.ones(5), np.ones(5) * np.nan, "x[2] is no finite number; and 2 more."),
         ("choice", np.array(2), np.array(1), "x is not the right one."),
-        ("flag", np.bool_(1), np.bool_(0), "what the card says"),
+        ("flag", np.array(1, bool), np.array(0, bool), "what the card says"),
         (
             "flags",
             np.array([True, False, False]),
@@ -157,30 +165,32 @@ GRID = np.arange(12.0).reshape(4, 3)
         (
             "rgb",
             np.full((2, 2, 3), 9, np.uint8),
-            np.uint8([[[9, 9, 9]] * 2, [[9, 7, 11]] * 2]),
+            np.array([[[9, 9, 9]] * 2, [[9, 7, 11]] * 2], np.uint8),
             "2 of 4 pixels of x are off: to both sides, typically by 2 px.",
         ),
         (
             "mapped",
-            np.uint8([[[255, 0, 0], [0, 0, 255]]]),
-            np.uint8([[[0, 0, 255], [255, 0, 0]]]),
+            np.array([[[255, 0, 0], [0, 0, 255]]], np.uint8),
+            np.array([[[0, 0, 255], [255, 0, 0]]], np.uint8),
             "2 of 2 pixels of x are off: to both sides, typically by 200 px.",
         ),
         (
             "mapped",
-            np.uint8([[[255, 0, 0]]]),
-            np.uint8([[[9, 200, 9]]]),
+            np.array([[[255, 0, 0]]], np.uint8),
+            np.array([[[9, 200, 9]]], np.uint8),
             "x: these colors belong neither to COLORMAP_TURBO nor to COLORMAP_JET nor to",
         ),
         (
             "mask",
-            np.uint8([[255, 255, 0]]),
-            np.uint8([[0, 0, 255]]),
+            np.array([[255, 255, 0]], np.uint8),
+            np.array([[0, 0, 255]], np.uint8),
             "3 of 3 pixels of x are off: 1 marked that should not be, 2 missing.",
         ),
     ],
 )
-def test_difference_is_told_in_the_words_of_the_kind(kind, due, yours, words):
+def test_difference_is_told_in_the_words_of_the_kind(
+    kind: str, due: np.ndarray, yours: np.ndarray, words: str
+) -> None:
     names = {"f": "float", "b": "bool", "U": "str", "u": "uint8", "i": "int"}
     part = Part("x", kind, names[due.dtype.kind], atol=0, unit="px", note="what the card says")
     if kind == "cloud":
@@ -196,6 +206,6 @@ def test_difference_is_told_in_the_words_of_the_kind(kind, due, yours, words):
     assert (verdict.picture is not None) is drawn
 
 
-def test_every_kind_is_tried_above():
+def test_every_kind_is_tried_above() -> None:
     (mark,) = test_difference_is_told_in_the_words_of_the_kind.pytestmark
     assert {row[0] for row in mark.args[1]} == set(KINDS)

@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BROWSER_OPENCV = "4.11.0.86"
 
 
-def run_script(python):
+def run_script(python: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [python, "-m", "tools.derive.opencv_parity"],
         cwd=ROOT,
@@ -24,7 +24,7 @@ def run_script(python):
 
 
 @pytest.mark.slow  # its quick relative: the exercise pages in a browser, which has that OpenCV
-def test_verdicts_agree_with_the_opencv_of_the_browser(tmp_path):
+def test_verdicts_agree_with_the_opencv_of_the_browser(tmp_path: Path) -> None:
     venv.create(tmp_path / "env", with_pip=True)
     folder = "Scripts" if sys.platform == "win32" else "bin"
     python = tmp_path / "env" / folder / "python"

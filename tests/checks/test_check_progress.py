@@ -3,31 +3,35 @@
 import json
 import sys
 from dataclasses import replace
+from pathlib import Path
+from typing import Any, NoReturn
 
+import numpy as np
 import pytest
 
 import labutils
 from labutils.__main__ import main
 from labutils.checks import check, hint, report
 from labutils.checks.progress import FILE_NAME, load_progress, save_progress
+from labutils.checks.report import Report
 from labutils.checks.table import read_words
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
-def right(points, cam_xpos, cam_xmat):
+def right(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
     return labutils.camera_to_world(points, cam_xpos, cam_xmat)
 
 
-def wrong(points, cam_xpos, cam_xmat):
+def wrong(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
     return labutils.camera_to_world(points, cam_xpos * 0, cam_xmat)
 
 
-def test_checks_are_kept(folder):
+def test_checks_are_kept(folder: Path) -> None:
     check("camera_to_world", wrong)
     check("camera_to_world", wrong)
     check("camera_to_world", right)
@@ -45,7 +49,7 @@ def test_checks_are_kept(folder):
     assert [path.name for path in folder.iterdir()] == [FILE_NAME]
 
 
-def test_hints_are_given_in_order_and_counted_up_to_three():
+def test_hints_are_given_in_order_and_counted_up_to_three() -> None:
     hints = read_words()["camera_to_world"]["hints"]
     given = [hint("camera_to_world") for _ in range(4)]
     assert given == [f"Hint {number} of 3: {hints[number - 1]}" for number in (1, 2, 3, 3)]
@@ -71,7 +75,7 @@ def test_hints_are_given_in_order_and_counted_up_to_three():
         ),
     ],
 )
-def test_damaged_file_is_set_aside_and_reported(folder, content):
+def test_damaged_file_is_set_aside_and_reported(folder: Path, content: bytes) -> None:
     (folder / FILE_NAME).write_bytes(content)
     verdict = check("camera_to_world", right)
     assert verdict.passed
@@ -84,18 +88,22 @@ def test_damaged_file_is_set_aside_and_reported(folder, content):
     assert "damaged-2" in report().notice
 
 
-def test_damaged_file_that_cannot_be_moved_is_reported(folder, monkeypatch):
+def test_damaged_file_that_cannot_be_moved_is_reported(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (folder / FILE_NAME).write_text("{")
 
-    def refuse(*_):
+    def refuse(*_: object) -> NoReturn:
         raise OSError("read-only")
 
     monkeypatch.setattr("pathlib.Path.rename", refuse)
     assert "cannot be read (JSONDecodeError); progress starts anew" in load_progress().notice
 
 
-def test_folder_that_cannot_be_written_is_reported(monkeypatch, folder):
-    def refuse(*_):
+def test_folder_that_cannot_be_written_is_reported(
+    monkeypatch: pytest.MonkeyPatch, folder: Path
+) -> None:
+    def refuse(*_: object) -> NoReturn:
         raise PermissionError("no")
 
     monkeypatch.setattr("os.replace", refuse)
@@ -106,13 +114,14 @@ def test_folder_that_cannot_be_written_is_reported(monkeypatch, folder):
     assert "Progress is not kept" in hint("camera_to_world")
 
 
-def test_folder_that_does_not_exist_is_reported(folder):
+def test_folder_that_does_not_exist_is_reported(folder: Path) -> None:
     assert "FileNotFoundError" in save_progress(load_progress(), folder / "gone")
 
 
-def test_report_shows_what_is_done_and_what_is_next():
+def test_report_shows_what_is_done_and_what_is_next() -> None:
     empty = report()
     assert empty.points == 0
+    assert empty.next_row is not None
     assert empty.next_row.name == "render_camera"
     assert "0 of 9 exercises, 0 of 90 points" in repr(empty)
     check("camera_to_world", right)
@@ -126,7 +135,7 @@ def test_report_shows_what_is_done_and_what_is_next():
     assert "Next: render_camera" in text
 
 
-def test_report_in_jupyter_and_as_a_page_says_the_same():
+def test_report_in_jupyter_and_as_a_page_says_the_same() -> None:
     check("camera_to_world", right)
     found = report()
     for text in (found._repr_html_(), found.to_page()):
@@ -136,13 +145,13 @@ def test_report_in_jupyter_and_as_a_page_says_the_same():
     assert found.to_page().startswith("<!doctype html>")
 
 
-def make_lab():
+def make_lab() -> Report:
     """The report without the extensions that the book may have."""
     found = report()
     return replace(found, rows=found.lab)
 
 
-def make_extended(**changes):
+def make_extended(**changes: Any) -> Report:
     """The report of the lab with two rows of an extension."""
     lab = make_lab()
     row = replace(lab.rows[0], chapter="Two eyes", points=0, extension=True)
@@ -150,7 +159,7 @@ def make_extended(**changes):
     return replace(lab, rows=(*rows, *lab.rows))
 
 
-def test_extensions_have_a_table_of_their_own_and_no_points():
+def test_extensions_have_a_table_of_their_own_and_no_points() -> None:
     lab, found = make_lab(), make_extended(passed=True, state="done")
     assert found.points == lab.points
     own, _, rest = repr(found).partition("\n\nextension")
@@ -163,7 +172,7 @@ def test_extensions_have_a_table_of_their_own_and_no_points():
     assert found.summary[:2] == lab.summary[:2]
 
 
-def test_extensions_have_a_table_of_their_own_in_jupyter_too():
+def test_extensions_have_a_table_of_their_own_in_jupyter_too() -> None:
     html = make_extended()._repr_html_()
     first, second = html.split("</table>")[:2]
     assert first + "</table>" in make_lab()._repr_html_()
@@ -172,16 +181,24 @@ def test_extensions_have_a_table_of_their_own_in_jupyter_too():
     assert "points</th>" not in second
 
 
-def test_the_lab_comes_before_its_extensions():
+def test_the_lab_comes_before_its_extensions() -> None:
     found = make_extended()
+    assert found.next_row is not None
     assert found.next_row.name == "render_camera"
     assert not found.next_row.extension
     done = replace(found, rows=tuple(replace(r, passed=not r.extension) for r in found.rows))
+    assert done.next_row is not None
     assert done.next_row.name == "match_rows"
 
 
-def test_report_when_everything_is_done(folder):
-    record = {"passed": True, "attempts": 1, "hints": 0, "last_property": None, "mistakes": {}}
+def test_report_when_everything_is_done(folder: Path) -> None:
+    record: dict[str, Any] = {
+        "passed": True,
+        "attempts": 1,
+        "hints": 0,
+        "last_property": None,
+        "mistakes": {},
+    }
     content = {"version": 1, "exercises": dict.fromkeys(read_words(), record)}
     (folder / FILE_NAME).write_text(json.dumps(content))
     found = report(folder)
@@ -190,7 +207,9 @@ def test_report_when_everything_is_done(folder):
     assert "nothing is left" in repr(found)
 
 
-def test_command_line_prints_the_report_and_writes_a_page(folder, capsys):
+def test_command_line_prints_the_report_and_writes_a_page(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["report", "--html", str(folder / "report.html")]) == 0
     assert "0 of 9 exercises" in capsys.readouterr().out
     assert "<table>" in (folder / "report.html").read_text(encoding="utf-8")
@@ -198,7 +217,9 @@ def test_command_line_prints_the_report_and_writes_a_page(folder, capsys):
     assert "no" in capsys.readouterr().err
 
 
-def test_command_line_reports_another_folder(folder, capsys, monkeypatch):
+def test_command_line_reports_another_folder(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     check("camera_to_world", right)
     other = folder / "elsewhere"
     other.mkdir()
@@ -208,7 +229,9 @@ def test_command_line_reports_another_folder(folder, capsys, monkeypatch):
     assert "1 of 9 exercises" in capsys.readouterr().out
 
 
-def test_links_lead_to_the_notebook_where_there_is_one(folder, monkeypatch):
+def test_links_lead_to_the_notebook_where_there_is_one(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     page = read_words()["camera_to_world"]["section"].partition("#")[0]
     (folder / "exercises").mkdir()
     monkeypatch.chdir(folder / "exercises")

@@ -3,7 +3,11 @@
 import html
 import re
 import sys
+from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
+from types import EllipsisType
+from typing import Any, NoReturn
 
 import cv2
 import numpy as np
@@ -11,34 +15,34 @@ import pytest
 
 import labutils
 from labutils.checks import check, hint, judge_answers
-from labutils.checks.table import load_table
+from labutils.checks.table import Outcome, load_table
 
 LAST_WORDS = "These are the visible cases: hidden cases decide the grade."
 
 
 @pytest.fixture(autouse=True)
-def in_empty_folder(tmp_path, monkeypatch):
+def in_empty_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
 
 
-def right_depth(depth_raw, near, far):
+def right_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     return near * far / (far - np.clip(depth_raw, 0, 1) * (far - near))
 
 
-def linear_depth(depth_raw, near, far):
+def linear_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     return near + np.clip(depth_raw, 0, 1) * (far - near)
 
 
-def starter(depth_raw, near=0.01, far=10.0):
+def starter(depth_raw: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
     raise NotImplementedError
 
 
-def begin_to_write(depth_raw, *_):
+def begin_to_write(depth_raw: np.ndarray, *_: float) -> np.ndarray:
     depth_raw = depth_raw * 1.0
     return depth_raw[10000000]
 
 
-def test_right_answer_passes_and_says_that_hidden_cases_decide():
+def test_right_answer_passes_and_says_that_hidden_cases_decide() -> None:
     verdict = check("process_depth", right_depth)
     assert verdict.passed is True
     assert verdict.misconception is None
@@ -46,7 +50,7 @@ def test_right_answer_passes_and_says_that_hidden_cases_decide():
     assert verdict.message.splitlines()[-1] == LAST_WORDS
 
 
-def test_known_mistake_is_named_with_its_hint_and_a_picture():
+def test_known_mistake_is_named_with_its_hint_and_a_picture() -> None:
     verdict = check("process_depth", linear_depth)
     assert verdict.passed is False
     assert verdict.misconception == "linear"
@@ -54,11 +58,13 @@ def test_known_mistake_is_named_with_its_hint_and_a_picture():
     assert "hyperbolic" in verdict.message
     assert "Worst pixel: (u, v) =" in verdict.message
     assert "Read again: ../book/step3_depth.html#step3-raw" in verdict.message
+    assert verdict.picture is not None
     picture = cv2.imdecode(np.frombuffer(verdict.picture.png, np.uint8), cv2.IMREAD_COLOR)
+    assert picture is not None
     assert picture.shape[1] > 3 * 150
 
 
-def test_unknown_mistake_gets_statistics_and_no_name():
+def test_unknown_mistake_gets_statistics_and_no_name() -> None:
     verdict = check("process_depth", lambda *args: right_depth(*args) * 1.0 + 0.05)
     assert (verdict.property, verdict.misconception) == ("range", None)
     verdict = check("process_depth", lambda d, n, f: np.clip(right_depth(d, n, f) + 0.05, n, f))
@@ -95,7 +101,7 @@ def test_unknown_mistake_gets_statistics_and_no_name():
         (lambda raw, *_: raw * np.nan, "value", "of them are NaN or infinite on one side only"),
     ],
 )
-def test_first_property_that_fails_is_told(function, gate, words):
+def test_first_property_that_fails_is_told(function: object, gate: str, words: str) -> None:
     verdict = check("process_depth", function)
     assert not verdict.passed
     assert verdict.property == gate
@@ -104,7 +110,7 @@ def test_first_property_that_fails_is_told(function, gate, words):
 
 
 @pytest.mark.parametrize("value", [None, ...])
-def test_empty_function_of_two_results_counts_as_not_started(value):
+def test_empty_function_of_two_results_counts_as_not_started(value: EllipsisType | None) -> None:
     verdict = check("depth_to_pointcloud", lambda *_: value)
     assert verdict.property == "runs"
     assert "Not started yet" in verdict.message
@@ -164,13 +170,15 @@ def test_empty_function_of_two_results_counts_as_not_started(value):
         ("camera_to_world", lambda p, *_: p + np.array([0.5, 0, 0]), "value", "x in 5 of 5 rows"),
     ],
 )
-def test_other_kinds_of_answers_are_told_as_well(name, function, gate, words):
+def test_other_kinds_of_answers_are_told_as_well(
+    name: str, function: Callable[..., Any], gate: str, words: str
+) -> None:
     verdict = check(name, function)
     assert verdict.property == gate, verdict.message
     assert words in " ".join(verdict.message.split("\n"))
 
 
-def test_missing_exception_is_told():
+def test_missing_exception_is_told() -> None:
     table = load_table("get_camera_intrinsics")
     answers = (*table.expected[:3], table.expected[0])
     verdict = judge_answers(table, answers)
@@ -178,8 +186,8 @@ def test_missing_exception_is_told():
     assert "has to raise ValueError" in verdict.message
 
 
-def test_other_exception_than_the_one_due_is_told():
-    def by_key(model, camera_name, width, height):
+def test_other_exception_than_the_one_due_is_told() -> None:
+    def by_key(model: Any, camera_name: str, width: int, height: int) -> Any:
         camera = model.camera(camera_name).id  # MuJoCo raises KeyError
         return labutils.get_camera_intrinsics(model, model.camera(camera).name, width, height)
 
@@ -189,8 +197,8 @@ def test_other_exception_than_the_one_due_is_told():
     assert "Here a ValueError is due." in " ".join(verdict.message.split("\n"))
 
 
-def test_long_exception_text_is_cut():
-    def shout(*_):
+def test_long_exception_text_is_cut() -> None:
+    def shout(*_: object) -> NoReturn:
         raise ValueError(text)
 
     text = "very " * 400 + "\nsecond line"
@@ -200,8 +208,8 @@ def test_long_exception_text_is_cut():
     assert len(message.splitlines()) < 12
 
 
-def test_function_that_spoils_its_input_changes_no_other_case():
-    def spoil(depth_raw, near, far):
+def test_function_that_spoils_its_input_changes_no_other_case() -> None:
+    def spoil(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
         depth = right_depth(depth_raw, near, far)
         depth_raw[:] = -1
         return depth
@@ -210,21 +218,21 @@ def test_function_that_spoils_its_input_changes_no_other_case():
     assert check("process_depth", right_depth).passed
 
 
-def test_misspelled_exercise_lists_the_known_ones():
+def test_misspelled_exercise_lists_the_known_ones() -> None:
     with pytest.raises(ValueError, match=r"expected one of render_camera, .*'process_depth'\?"):
         check("proces_depth", right_depth)
     with pytest.raises(ValueError, match="expected one of"):
         hint("nothing_like_it")
 
 
-def test_function_of_the_library_passes_without_being_counted(tmp_path):
+def test_function_of_the_library_passes_without_being_counted(tmp_path: Path) -> None:
     verdict = check("process_depth", labutils.process_depth)
     assert verdict.passed
     assert "write your own" in verdict.message
     assert not list(tmp_path.iterdir())
 
 
-def test_jupyter_shows_the_same_words_and_the_picture():
+def test_jupyter_shows_the_same_words_and_the_picture() -> None:
     for function in (linear_depth, right_depth, starter, begin_to_write):
         verdict = check("process_depth", function)
         page = verdict._repr_html_()
@@ -237,57 +245,68 @@ def test_jupyter_shows_the_same_words_and_the_picture():
     )
 
 
-def test_words_of_a_learner_cannot_become_html():
-    def attack(*_):
+def test_words_of_a_learner_cannot_become_html() -> None:
+    def attack(*_: object) -> NoReturn:
         raise ValueError("<script>alert(1)</script>")
 
     assert "<script>" not in check("process_depth", attack)._repr_html_()
 
 
-def test_terminal_shows_the_message():
+def test_terminal_shows_the_message() -> None:
     verdict = check("process_depth", linear_depth)
     assert repr(verdict) == str(verdict) == verdict.message
 
 
-def test_builtin_function_without_signature_can_be_checked():
+def test_builtin_function_without_signature_can_be_checked() -> None:
     assert check("find_object_centroid", cv2.countNonZero).property == "type"
 
 
-def test_cloud_in_any_order_is_the_same_cloud():
+def get_cloud(due: Outcome) -> tuple[np.ndarray, np.ndarray | None]:
+    """The points and colors of an answer."""
+    assert isinstance(due, tuple)
+    points, colors = due
+    assert points is not None
+    return points, colors
+
+
+def test_cloud_in_any_order_is_the_same_cloud() -> None:
     table = load_table("depth_to_pointcloud")
     rng = np.random.default_rng(5)
 
-    def shuffled(due):
-        points, colors = due
+    def shuffled(due: Outcome) -> Outcome:
+        points, colors = get_cloud(due)
         order = rng.permutation(len(points))
         noise = rng.uniform(-0.9e-4, 0.9e-4, size=points.shape)
         return points[order] + noise, None if colors is None else colors[order]
 
     assert judge_answers(table, tuple(map(shuffled, table.expected))).passed
     # The same points with the colors of others are not.
-    points, colors = table.expected[1]
+    points, colors = get_cloud(table.expected[1])
     wrong = (table.expected[0], (points[::-1], colors))
     assert judge_answers(table, wrong).property == "value"
 
 
-def test_one_point_twice_and_another_never_is_another_cloud():
+def test_one_point_twice_and_another_never_is_another_cloud() -> None:
     table = load_table("depth_to_pointcloud")
-    points, colors = (part.copy() for part in table.expected[1])
+    points, colors = get_cloud(table.expected[1])
+    assert colors is not None
+    points = points.copy()
     points[0] = points[1]
     answers = (table.expected[0], (points[::-1], colors[::-1]))
     assert not judge_answers(table, answers).passed
 
 
-def test_picture_of_a_cloud_with_other_points_is_drawn():
+def test_picture_of_a_cloud_with_other_points_is_drawn() -> None:
     table = load_table("depth_to_pointcloud")
-    half = (table.expected[0][0][::2], None)
+    points, _ = get_cloud(table.expected[0])
+    half = (points[::2], None)
     verdict = judge_answers(table, (half, table.expected[1]))
     assert verdict.property == "shape"
     assert verdict.picture is not None
-    empty = (table.expected[0][0][:0], None)
+    empty = (points[:0], None)
     assert judge_answers(table, (empty, table.expected[1])).picture is None
 
 
-def test_library_exports_what_pages_use():
+def test_library_exports_what_pages_use() -> None:
     assert {"check", "hint", "report"} <= set(labutils.__all__)
     assert replace(check("process_depth", right_depth), result="failed").passed is False

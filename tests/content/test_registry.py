@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -12,6 +14,7 @@ from content.chapters import (
     EXTENSION,
     READING,
     REGISTRY,
+    Chapter,
     ChapterError,
     find_chapter,
     get_chapter,
@@ -24,7 +27,7 @@ from content.quiz_items import load_all
 from content.toc import Entry, list_entries, list_pages
 from tests.helpers.chapters import ROOT
 
-ROW = {
+ROW: dict[str, Any] = {
     "id": "first",
     "kind": "required",
     "page": "book/first_page",
@@ -38,14 +41,14 @@ ROW = {
 READ = {"id": "intro", "kind": "reading", "page": "book/intro", "name": "Intro", "title": "why?"}
 
 
-def write(folder, rows):
+def write(folder: Path, rows: Any) -> Path:
     """Write a registry; every test has a folder of its own, so nothing is remembered."""
     (folder / "content").mkdir()
     (folder / REGISTRY).write_text(yaml.safe_dump(rows), encoding="utf-8")
     return folder
 
 
-def change(**fields):
+def change(**fields: Any) -> dict[str, Any]:
     """The good row with fields changed; None takes one out."""
     return {key: value for key, value in (ROW | fields).items() if value is not None}
 
@@ -53,7 +56,7 @@ def change(**fields):
 # ---- What the registry says of the book
 
 
-def test_registry_and_contents_name_the_same_pages_in_the_same_order():
+def test_registry_and_contents_name_the_same_pages_in_the_same_order() -> None:
     pages = list_pages()
     rows = load_chapters()
     assert [one.page for one in rows] == [p for p in pages if find_chapter(p) and "book/" in p]
@@ -61,21 +64,21 @@ def test_registry_and_contents_name_the_same_pages_in_the_same_order():
 
 
 @pytest.mark.parametrize("chapter", load_chapters(), ids=lambda one: one.id)
-def test_every_page_has_the_heading_and_the_label_of_its_row(chapter):
+def test_every_page_has_the_heading_and_the_label_of_its_row(chapter: Chapter) -> None:
     text = (ROOT / f"{chapter.page}.md").read_text(encoding="utf-8")
     expected = f"\n(page-{chapter.id})=\n# {chapter.heading}\n"
     assert expected in text, f"{chapter.page}: expected {expected!r}, as its row says"
 
 
 @pytest.mark.parametrize("chapter", list_taught(), ids=lambda one: one.id)
-def test_labels_of_a_chapter_begin_with_its_id(chapter):
+def test_labels_of_a_chapter_begin_with_its_id(chapter: Chapter) -> None:
     labels = [name for name, label in read_labels().items() if label.page == chapter.page]
     assert len(labels) > 1
     strange = [name for name in labels if not name.startswith((f"{chapter.id}-", "page-"))]
     assert not strange, f"{chapter.page}: expected labels such as {chapter.id}-name, got {strange}"
 
 
-def test_every_chapter_has_questions_and_every_file_of_questions_a_chapter():
+def test_every_chapter_has_questions_and_every_file_of_questions_a_chapter() -> None:
     asked = set(load_all())
     assert {one.stem for one in list_taught()} <= asked <= {one.stem for one in load_chapters()}
 
@@ -83,12 +86,13 @@ def test_every_chapter_has_questions_and_every_file_of_questions_a_chapter():
 # ---- What is read
 
 
-def test_a_row_is_read_with_what_follows_from_it(tmp_path):
+def test_a_row_is_read_with_what_follows_from_it(tmp_path: Path) -> None:
     root = write(tmp_path, [READ, ROW, change(**EXTRA)])
     reading, first, extra = load_chapters(root)
     assert (reading.kind, reading.exercises, reading.criterion) == (READING, "", None)
     assert (first.stem, first.heading) == ("first_page", "Step 1: What?")
     assert (first.short, first.noun, first.is_extension) == ("1", "step", False)
+    assert first.criterion is not None
     assert first.criterion.asks == "A picture"
     assert (extra.short, extra.noun, extra.is_extension) == ("Extra", "chapter", True)
     assert list_taught(root) == (first, extra)
@@ -139,12 +143,12 @@ EXTRA = {
         ([READ | {"exercises": "exercises/intro"}], "exercises: a page for reading has none"),
     ],
 )
-def test_a_wrong_row_is_refused_with_its_place(rows, message, tmp_path):
+def test_a_wrong_row_is_refused_with_its_place(rows: Any, message: str, tmp_path: Path) -> None:
     with pytest.raises(ChapterError, match=message):
         load_chapters(write(tmp_path, rows))
 
 
-def test_a_registry_that_cannot_be_read_is_named(tmp_path):
+def test_a_registry_that_cannot_be_read_is_named(tmp_path: Path) -> None:
     with pytest.raises(ChapterError, match=r"chapters\.yml: cannot be read"):
         load_chapters(tmp_path)
     (tmp_path / "content").mkdir()
@@ -153,7 +157,7 @@ def test_a_registry_that_cannot_be_read_is_named(tmp_path):
         load_chapters(tmp_path)
 
 
-def test_an_unknown_chapter_lists_the_known_ones():
+def test_an_unknown_chapter_lists_the_known_ones() -> None:
     with pytest.raises(ChapterError, match=r"expected one of start, .*, step6.*, got 'step7'"):
         get_chapter("step7")
 
@@ -161,7 +165,7 @@ def test_an_unknown_chapter_lists_the_known_ones():
 # ---- Labels and contents
 
 
-def write_pages(folder, **pages):
+def write_pages(folder: Path, **pages: str) -> Path:
     write(folder, [ROW])
     (folder / "book").mkdir()
     for name, text in pages.items():
@@ -169,7 +173,7 @@ def write_pages(folder, **pages):
     return folder
 
 
-def test_a_label_leads_to_its_page_whether_it_stands_above_a_heading_or_not(tmp_path):
+def test_a_label_leads_to_its_page_whether_it_stands_above_a_heading_or_not(tmp_path: Path) -> None:
     page = "(page-first)=\n# Title\n\n(first-a)=\n## A\n\n(first-b)=\nText.\n"
     root = write_pages(tmp_path, first_page=page, other="(other-a)=\n## B\n")
     assert make_link("first-a", root) == "../book/first_page.html#first-a"
@@ -184,13 +188,13 @@ def test_a_label_leads_to_its_page_whether_it_stands_above_a_heading_or_not(tmp_
             make_link(label, root)
 
 
-def test_a_label_that_stands_twice_is_refused(tmp_path):
+def test_a_label_that_stands_twice_is_refused(tmp_path: Path) -> None:
     root = write_pages(tmp_path, first_page="(a)=\n## A\n", other="(a)=\n## A\n")
     with pytest.raises(LabelError, match="label a: stands on book/first_page and on book/other"):
         read_labels(root)
 
 
-def test_contents_are_listed_with_their_captions_and_without_addresses():
+def test_contents_are_listed_with_their_captions_and_without_addresses() -> None:
     toc = {
         "root": "book/index",
         "parts": [
@@ -206,7 +210,7 @@ def test_contents_are_listed_with_their_captions_and_without_addresses():
     ]
 
 
-def test_every_prefix_begins_objectives_of_one_length():
+def test_every_prefix_begins_objectives_of_one_length() -> None:
     # "1" and "11" may stand side by side: an objective is a prefix and one letter
     assert all(re.fullmatch(r"\d+", one.prefix) for one in list_taught())
     assert chapters.PREFIX.fullmatch("11")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import mujoco
 import numpy as np
 import pytest
 import traitlets
@@ -20,7 +23,11 @@ from labutils.camera_utils import get_camera_pose
 from labutils.explorers import explore_cloud
 from labutils.explorers._base import DEPTH_STEP
 from labutils.explorers._cloud_poster import make_view_transform
+from labutils.explorers.cloud import CloudExplorer
 from tests.helpers.tolerances import CLOUD_MEDIAN_MM, EXACT
+
+#: Color, depth, intrinsics, field of view and pose of the head camera.
+Frame = tuple[np.ndarray, np.ndarray, np.ndarray, float, np.ndarray]
 
 SIZE = (640, 480)
 FACES = {
@@ -34,7 +41,7 @@ WINDOW_PIXEL = (250, 20)
 
 
 @pytest.fixture(scope="module")
-def frame():
+def frame() -> Frame:
     model, data = make_scene()
     with make_renderer(model, SIZE[1], SIZE[0]) as renderer:
         rgb, depth = render_camera(model, data, renderer, "head_camera")
@@ -43,14 +50,14 @@ def frame():
 
 
 @pytest.fixture
-def explorer(frame):
+def explorer(frame: Frame) -> CloudExplorer:
     rgb, depth, K, _, T_world_cam = frame
     return explore_cloud(rgb, depth, K, T_world_cam, faces=FACES)
 
 
-def make_small(**changes):
+def make_small(**changes: Any) -> CloudExplorer:
     """Arguments of a small flat cloud, some of them changed."""
-    arguments = {
+    arguments: dict[str, Any] = {
         "rgb": np.full((6, 8, 3), 90, np.uint8),
         "depth": np.full((6, 8), 2.0, np.float32),
         "K": np.array([[9.0, 0, 3.25], [0, 7.0, 2.5], [0, 0, 1]]),
@@ -58,7 +65,9 @@ def make_small(**changes):
     return explore_cloud(**{**arguments, **changes})
 
 
-def test_it_starts_with_every_point_that_the_library_keeps(explorer, frame):
+def test_it_starts_with_every_point_that_the_library_keeps(
+    explorer: CloudExplorer, frame: Frame
+) -> None:
     _, depth, K, fov_y, _ = frame
     points, _ = depth_to_pointcloud(depth, K)
     assert explorer.values["points"] == len(points)
@@ -70,7 +79,12 @@ def test_it_starts_with_every_point_that_the_library_keeps(explorer, frame):
 
 
 @pytest.mark.parametrize("pixel", FLAT_PIXELS)
-def test_a_picked_point_is_the_true_point(explorer, frame, scene, pixel):
+def test_a_picked_point_is_the_true_point(
+    explorer: CloudExplorer,
+    frame: Frame,
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+    pixel: tuple[int, int],
+) -> None:
     explorer.move(pixel=list(pixel))
     u, v = pixel
     truth = raycast_points(*scene, "head_camera", *SIZE)[v, u]
@@ -78,28 +92,32 @@ def test_a_picked_point_is_the_true_point(explorer, frame, scene, pixel):
     ray = np.linalg.norm([(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], 1])
     # depth is rounded to half a step, and moves the point along its ray
     limit = DEPTH_STEP / 2 * ray + CLOUD_MEDIAN_MM / 1000
+    assert explorer.point is not None
     assert np.linalg.norm(explorer.point - truth) < limit
     assert explorer.pixel == pixel
     camera = np.linalg.inv(frame[4]) @ [*explorer.point, 1]
     np.testing.assert_allclose(explorer.values["point_camera"], camera[:3], rtol=0, atol=EXACT)
 
 
-def test_without_a_pose_the_point_is_in_the_camera_frame(frame):
+def test_without_a_pose_the_point_is_in_the_camera_frame(
+    frame: Frame,
+) -> None:
     rgb, depth, K, _, _ = frame
     explorer = explore_cloud(rgb, depth, K, pixel=(330, 215))
     assert explorer.values["point_world"] is None
+    assert explorer.point is not None
     assert explorer.point[2] == pytest.approx(depth[215, 330], abs=DEPTH_STEP / 2)
     assert explorer.values["angle_deg"] is None
 
 
-def test_where_nothing_is_seen_there_is_no_point(explorer):
+def test_where_nothing_is_seen_there_is_no_point(explorer: CloudExplorer) -> None:
     explorer.move(pixel=list(WINDOW_PIXEL))
     assert explorer.pixel == WINDOW_PIXEL
     assert explorer.point is None
     assert explorer.values["point_camera"] is None
 
 
-def test_a_point_beyond_the_far_limit_is_gone(explorer):
+def test_a_point_beyond_the_far_limit_is_gone(explorer: CloudExplorer) -> None:
     u, v = FLAT_PIXELS[4]
     explorer.move(pixel=[u, v])
     depth = explorer.values["point_camera"][2]
@@ -107,10 +125,10 @@ def test_a_point_beyond_the_far_limit_is_gone(explorer):
     assert explorer.point is not None
     explorer.move(far=depth - 0.001)
     assert explorer.point is None
-    assert explorer.far == depth - 0.001
+    assert explorer.far == depth - 0.001  # type: ignore[unreachable]  # the move takes the point away
 
 
-def test_the_far_limit_counts_as_the_library_does(explorer, frame):
+def test_the_far_limit_counts_as_the_library_does(explorer: CloudExplorer, frame: Frame) -> None:
     far = 1.25
     explorer.move(far=far)
     depth = frame[1]
@@ -120,7 +138,9 @@ def test_the_far_limit_counts_as_the_library_does(explorer, frame):
     assert low > 0
 
 
-def test_table_and_wall_meet_at_a_right_angle_only_with_the_true_field_of_view(explorer):
+def test_table_and_wall_meet_at_a_right_angle_only_with_the_true_field_of_view(
+    explorer: CloudExplorer,
+) -> None:
     # Depth is off by 0.1 mm at most, over faces 0.4 m wide: 0.03 degrees each.
     assert explorer.values["angle_deg"] == pytest.approx(90.0, abs=0.06)
     angles = []
@@ -132,7 +152,7 @@ def test_table_and_wall_meet_at_a_right_angle_only_with_the_true_field_of_view(e
     assert angles[3] > 90.5
 
 
-def test_a_wrong_field_of_view_stretches_x_and_y_only(explorer):
+def test_a_wrong_field_of_view_stretches_x_and_y_only(explorer: CloudExplorer) -> None:
     explorer.move(pixel=list(FLAT_PIXELS[1]))
     x, y, z = explorer.values["point_camera"]
     explorer.move(fov_y_deg=60)
@@ -143,15 +163,16 @@ def test_a_wrong_field_of_view_stretches_x_and_y_only(explorer):
     np.testing.assert_allclose(explorer.K, intrinsics_matrix(np.pi / 3, *SIZE), atol=1e-9)
 
 
-def test_an_uneven_camera_keeps_its_shape_and_its_principal_point(K):
+def test_an_uneven_camera_keeps_its_shape_and_its_principal_point(K: np.ndarray) -> None:
     depth = np.full((40, 60), 1.5, np.float32)
     explorer = make_small(rgb=np.zeros((40, 60, 3), np.uint8), depth=depth, K=K)
     np.testing.assert_allclose(explorer.K, K, rtol=0, atol=EXACT)
     explorer.move(fov_y_deg=2 * np.degrees(np.arctan(20 / 90)))  # half of fy = 180
-    np.testing.assert_allclose(explorer.K, [[105, 0, 33.25], [0, 90, 20.5], [0, 0, 1]], atol=1e-9)
+    expected = np.array([[105, 0, 33.25], [0, 90, 20.5], [0, 0, 1]])
+    np.testing.assert_allclose(explorer.K, expected, atol=1e-9)
 
 
-def test_the_sliders_hold_the_start_and_reset_brings_it_back(explorer):
+def test_the_sliders_hold_the_start_and_reset_brings_it_back(explorer: CloudExplorer) -> None:
     for name, low_name, high_name in (("fov_y_deg", "min", "max"), ("far", "min", "max")):
         slider = explorer.controls[name].widget
         low, high = getattr(slider, low_name), getattr(slider, high_name)
@@ -162,7 +183,7 @@ def test_the_sliders_hold_the_start_and_reset_brings_it_back(explorer):
 
 
 @pytest.mark.parametrize("depth", [0.02, 2.0, 9.99])
-def test_a_flat_wall_at_any_depth_has_limits(depth):
+def test_a_flat_wall_at_any_depth_has_limits(depth: float) -> None:
     explorer = make_small(depth=np.full((6, 8), depth))
     assert explorer.values["points"] == 48
     slider = explorer.controls["far"].widget
@@ -172,7 +193,7 @@ def test_a_flat_wall_at_any_depth_has_limits(depth):
         assert low < high
 
 
-def test_height_grows_upward_in_both_frames(explorer, frame):
+def test_height_grows_upward_in_both_frames(explorer: CloudExplorer, frame: Frame) -> None:
     rgb, depth, K, _, _ = frame
     low, high = explorer.view.height_limits
     assert low < 0.86 < high  # the table top
@@ -180,7 +201,7 @@ def test_height_grows_upward_in_both_frames(explorer, frame):
     assert low < 0 < high  # below and above the camera's axis
 
 
-def test_the_poster_shows_the_cloud_on_paper(explorer, frame):
+def test_the_poster_shows_the_cloud_on_paper(explorer: CloudExplorer, frame: Frame) -> None:
     poster = explorer.view.draw_poster()
     assert poster.shape == (480, 640, 3)
     assert poster.dtype == np.uint8
@@ -193,7 +214,7 @@ def test_the_poster_shows_the_cloud_on_paper(explorer, frame):
     np.testing.assert_array_equal(explorer.view.draw_poster(), poster)
 
 
-def test_the_reader_stands_where_the_orbit_says():
+def test_the_reader_stands_where_the_orbit_says() -> None:
     rng = np.random.default_rng(0)
     for _ in range(50):
         azimuth_deg, elevation_deg = rng.uniform(-180, 180), rng.uniform(-89, 89)
@@ -215,7 +236,7 @@ def test_the_reader_stands_where_the_orbit_says():
         np.testing.assert_allclose(make_view_transform(orbit), expected, rtol=0, atol=1e-9)
 
 
-def test_it_says_its_values_in_words(explorer):
+def test_it_says_its_values_in_words(explorer: CloudExplorer) -> None:
     assert repr(explorer) == (
         f"Point cloud: {explorer.values['points']} points, f = 579.4 px, "
         "1.00 times as wide as it should be, faces meet at 90.0°"
@@ -264,12 +285,14 @@ def test_it_says_its_values_in_words(explorer):
         ),
     ],
 )
-def test_what_cannot_be_shown_is_refused(changes, kind, message):
+def test_what_cannot_be_shown_is_refused(
+    changes: dict[str, Any], kind: type[Exception], message: str
+) -> None:
     with pytest.raises(kind, match=message):
         make_small(**changes)
 
 
-def test_a_pixel_outside_cannot_be_picked(explorer):
+def test_a_pixel_outside_cannot_be_picked(explorer: CloudExplorer) -> None:
     with pytest.raises(traitlets.TraitError, match=r"pixel: expected \(u, v\) within 640 x 480"):
         explorer.move(pixel=[640, 0])
     assert explorer.pixel is None

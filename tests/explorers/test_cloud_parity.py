@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import base64
 import json
+from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -20,6 +22,7 @@ from labutils.explorers._cloud_poster import (
     make_view_transform,
 )
 from labutils.explorers._cloud_start import turn_to_view
+from labutils.explorers.cloud import CloudExplorer, CloudView
 from tests.helpers.node import STATIC, run_node
 from tests.helpers.tolerances import EXACT
 
@@ -37,7 +40,7 @@ const cloud = {
 """
 
 
-def show_from(code, data):
+def show_from(code: str, data: Any) -> list[Any]:
     """Run a module that ends in `show(value)`, with `data` given; return what it shows."""
     start = (
         'import { readFileSync } from "node:fs";\nconst data = JSON.parse(readFileSync(0, "utf8"));'
@@ -47,7 +50,7 @@ def show_from(code, data):
     return json.loads(run_node(text, given=json.dumps(data)))
 
 
-def fixture_of(view):
+def fixture_of(view: CloudView) -> dict[str, Any]:
     """What the JavaScript gets to know of a view."""
     depth = view.depth
     steps = np.round(depth / DEPTH_STEP).astype("<u2")
@@ -70,7 +73,7 @@ def fixture_of(view):
 
 
 @pytest.fixture
-def explorer(asymmetric):
+def explorer(asymmetric: tuple[mujoco.MjModel, mujoco.MjData]) -> CloudExplorer:
     """A cloud of an uneven camera, with holes, in a world it is turned in."""
     model, data = asymmetric
     rng = np.random.default_rng(11)
@@ -84,7 +87,7 @@ def explorer(asymmetric):
     return explore_cloud(rgb, depth, K, get_camera_pose(model, data, camera), faces=faces)
 
 
-def test_the_page_computes_the_values_that_python_computes(explorer):
+def test_the_page_computes_the_values_that_python_computes(explorer: CloudExplorer) -> None:
     view = explorer.view
     depth = view.depth
     hole = np.argwhere(depth == 0)[0][::-1].tolist()
@@ -124,7 +127,7 @@ def test_the_page_computes_the_values_that_python_computes(explorer):
     assert 0 < len(with_a_point) < len(found)
 
 
-def test_the_page_looks_from_where_the_poster_looks():
+def test_the_page_looks_from_where_the_poster_looks() -> None:
     rng = np.random.default_rng(3)
     orbits = [
         {
@@ -147,7 +150,7 @@ def test_the_page_looks_from_where_the_poster_looks():
         assert np.linalg.det(rotation) == pytest.approx(1, abs=EXACT)
 
 
-def test_transforms_join_as_matrices_do():
+def test_transforms_join_as_matrices_do() -> None:
     rng = np.random.default_rng(4)
     first, second = rng.normal(size=(2, 4, 4))
     first[3] = second[3] = [0, 0, 0, 1]
@@ -167,7 +170,7 @@ def test_transforms_join_as_matrices_do():
     assert from_world == turn_to_view(np.eye(4))[:3].ravel().tolist()
 
 
-def test_the_cameras_view_is_the_cameras_own(scene):
+def test_the_cameras_view_is_the_cameras_own(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     pose = turn_to_view(get_camera_pose(*scene, "head_camera"))
     start = {"azimuth_deg": 1, "elevation_deg": 2, "distance": 3, "target": [0.1, -0.9, 1.2]}
     code = """
@@ -186,7 +189,7 @@ def test_the_cameras_view_is_the_cameras_own(scene):
     assert make_view_transform(above)[1, :3] @ pose[:3, 2] < 0  # away from it is up
 
 
-def test_nobody_walks_over_the_pole_or_through_the_target():
+def test_nobody_walks_over_the_pole_or_through_the_target() -> None:
     code = """
     import { turnOrbit, zoomOrbit } from "STATIC/_orbit.js";
     const up = turnOrbit(data, 10, 500), down = turnOrbit(data, -10, -500);
@@ -201,7 +204,7 @@ def test_nobody_walks_over_the_pole_or_through_the_target():
     assert 5 < far["distance"] < 100
 
 
-def test_the_poster_has_its_middle_where_the_page_has_it():
+def test_the_poster_has_its_middle_where_the_page_has_it() -> None:
     # Two counts of the same place: the page's from the corner of the first pixel, the library's
     # from its center, half a pixel farther in. With W/2 in the library both would read the same.
     rng = np.random.default_rng(12)
@@ -227,7 +230,7 @@ def test_the_poster_has_its_middle_where_the_page_has_it():
         np.testing.assert_allclose(middle, [x, y], rtol=0, atol=0.5 + 1e-9)
 
 
-def test_a_line_is_cut_where_it_passes_the_eye():
+def test_a_line_is_cut_where_it_passes_the_eye() -> None:
     code = """
     import { projectLine } from "STATIC/_orbit.js";
     const line = (a, b) => projectLine(a, b, 100, 60, 40);
@@ -237,10 +240,10 @@ def test_a_line_is_cut_where_it_passes_the_eye():
     np.testing.assert_allclose(front, [[30, 20], [80, 120]])
     assert behind == []
     # cut at a depth of 0.02: 49 hundredths of the way, x = 1.47
-    np.testing.assert_allclose(through, [[30, 20], [30 + 100 * 1.47 / 0.02, 20]])
+    np.testing.assert_allclose(through, np.array([[30, 20], [30 + 100 * 1.47 / 0.02, 20]]))
 
 
-def test_colors_follow_depth_and_height(explorer):
+def test_colors_follow_depth_and_height(explorer: CloudExplorer) -> None:
     view = explorer.view
     explorer.move(fov_y_deg=50.0)
     K = explorer.K
@@ -275,7 +278,7 @@ def test_colors_follow_depth_and_height(explorer):
         assert len(set(found)) > 50
 
 
-def test_the_palette_is_the_librarys_turbo(explorer):
+def test_the_palette_is_the_librarys_turbo(explorer: CloudExplorer) -> None:
     palette = np.frombuffer(explorer.view.palette, np.uint8).reshape(256, 3)
     ramp = np.stack([np.zeros(256), np.zeros(256), np.arange(256.0)], axis=1)
     # two tables of one color map: OpenCV's and Matplotlib's, rounded differently
@@ -293,7 +296,15 @@ splatPoints(cloud, look, buffer, data.stride);
 )
 
 
-def draw_slowly(points, kept, fy, eye, focal, size, stride):
+def draw_slowly(
+    points: np.ndarray,
+    kept: np.ndarray,
+    fy: float,
+    eye: np.ndarray,
+    focal: float,
+    size: tuple[int, int],
+    stride: int,
+) -> np.ndarray:
     """Draw squares one by one, far to near: the nearest id at each pixel, -1 where none is."""
     width, height = size
     ids = np.full((height, width), -1)
@@ -312,7 +323,7 @@ def draw_slowly(points, kept, fy, eye, focal, size, stride):
 
 
 @pytest.mark.parametrize("stride", [1, 3])
-def test_the_nearest_point_is_drawn_on_top(explorer, stride):
+def test_the_nearest_point_is_drawn_on_top(explorer: CloudExplorer, stride: int) -> None:
     view = explorer.view
     depth = view.depth.astype(np.float64)
     v, u = np.mgrid[: depth.shape[0], : depth.shape[1]]
@@ -335,7 +346,7 @@ def test_the_nearest_point_is_drawn_on_top(explorer, stride):
     assert 0.2 < (ids >= 0).mean() < 1
 
 
-def test_picking_finds_the_front_point_or_the_closest_drawn():
+def test_picking_finds_the_front_point_or_the_closest_drawn() -> None:
     # two pixels on one line of sight from the side; only the nearer one is drawn
     depth = np.zeros((3, 5))
     depth[1, 2], depth[1, 3] = 1.0, 2.0

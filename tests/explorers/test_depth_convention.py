@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from labutils import metric_to_raw, process_depth
 from labutils.explorers import explore_depth_convention
-from labutils.explorers.depth_convention import _find_float_levels, _find_integer_levels
+from labutils.explorers.depth_convention import (
+    DepthConventionExplorer,
+    _find_float_levels,
+    _find_integer_levels,
+)
 from tests.helpers.node import evaluate
 
 #: Both sides compute in double precision with the same formulas in the same order.
 SAME = 1e-12
 
 
-def make_cases(count=80):
+def make_cases(count: int = 80) -> list[tuple[float, int, float]]:
     """Traits of random places, and of all the corners."""
     rng = np.random.default_rng(11)
     nears = explore_depth_convention().view.nears
@@ -27,7 +33,7 @@ def make_cases(count=80):
     return corners + list(zip(crowded.tolist(), places.tolist(), fars.tolist(), strict=True))
 
 
-def compute(raw, near_place, far):
+def compute(raw: float, near_place: int, far: float) -> DepthConventionExplorer:
     explorer = explore_depth_convention()
     explorer.view.set_trait("raw", raw)
     explorer.view.set_trait("near_place", near_place)
@@ -35,20 +41,20 @@ def compute(raw, near_place, far):
     return explorer
 
 
-def test_depth_and_wrong_readings_follow_from_process_depth():
+def test_depth_and_wrong_readings_follow_from_process_depth() -> None:
     for case in make_cases():
         explorer = compute(*case)
         raw, near, far = explorer.raw, explorer.near, explorer.far
         values = explorer.values
-        assert explorer.depth == process_depth(np.float64(raw), near, far)
-        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)
+        assert explorer.depth == process_depth(np.float64(raw), near, far)  # type: ignore[arg-type]  # array-like
+        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)  # type: ignore[arg-type]  # array-like
         linear = np.interp(raw, [0, 1], [near, far])
         assert values["linear_error"] == pytest.approx(linear - explorer.depth, abs=1e-12 * far)
-        reversed_depth = process_depth(np.float64(1 - raw), near, far)
+        reversed_depth = process_depth(np.float64(1 - raw), near, far)  # type: ignore[arg-type]  # array-like
         assert values["reversed_error"] == reversed_depth - explorer.depth
 
 
-def test_all_readings_agree_where_they_must():
+def test_all_readings_agree_where_they_must() -> None:
     at_near = compute(0.0, 3, 12.0).values
     assert at_near["linear_error"] == pytest.approx(0, abs=1e-12)
     at_far = compute(1.0, 3, 12.0).values
@@ -57,7 +63,7 @@ def test_all_readings_agree_where_they_must():
 
 
 @pytest.mark.parametrize("bits", [16, 24])
-def test_an_integer_step_is_the_gap_between_two_levels(bits):
+def test_an_integer_step_is_the_gap_between_two_levels(bits: int) -> None:
     last = 2**bits - 1
     for raw, place, far in make_cases(50):
         explorer = compute(raw, place, far)
@@ -72,18 +78,19 @@ def test_an_integer_step_is_the_gap_between_two_levels(bits):
         )
 
 
-def test_float_levels_are_neighbors_around_the_value():
-    for value in [0.0, 1e-30, 0.1, 0.5, 0.7, np.float32(0.7), 1 - 1e-9, 1.0]:
+def test_float_levels_are_neighbors_around_the_value() -> None:
+    values: list[Any] = [0.0, 1e-30, 0.1, 0.5, 0.7, np.float32(0.7), 1 - 1e-9, 1.0]
+    for value in values:
         low, high = _find_float_levels(float(value))
         assert low <= value <= high
         assert np.nextafter(np.float32(low), np.float32(2)) == np.float32(high)
         assert high <= 1
 
 
-def test_float_steps_are_those_of_step_3():
+def test_float_steps_are_those_of_step_3() -> None:
     """The chapter measures them with np.spacing: a third of a millimeter at 10 m."""
     near, far, z = 0.02, 12.0, 10.0
-    raw = float(metric_to_raw(z, near, far))
+    raw = float(metric_to_raw(z, near, far))  # type: ignore[arg-type]  # array-like
     values = compute(raw, explore_depth_convention(near).view.near_place, far).values
     mm_per_unit = 1000 * z**2 * (far - near) / (near * far)
     for key, buffer in (("step_float_mm", raw), ("step_reversed_mm", 1 - raw)):
@@ -94,7 +101,7 @@ def test_float_steps_are_those_of_step_3():
     assert values["step_reversed_mm"] < 0.001
 
 
-def test_the_page_computes_the_same():
+def test_the_page_computes_the_same() -> None:
     cases = make_cases()
     nears = explore_depth_convention().view.nears
     given = [(raw, nears[place], far) for raw, place, far in cases]
@@ -107,14 +114,14 @@ def test_the_page_computes_the_same():
             assert values[key] == pytest.approx(value, rel=SAME, abs=SAME * case[2]), (case, key)
 
 
-def test_the_page_inverts_process_depth():
+def test_the_page_inverts_process_depth() -> None:
     z = np.geomspace(0.02, 12, 200).tolist()
     back = "z.map((z) => m.processDepth(m.metricToRaw(z, 0.02, 12), 0.02, 12))"
     # near raw = 1 one rounding of the raw value is worth z / near roundings of the depth
     np.testing.assert_allclose(evaluate("_depth", back, z=z), z, rtol=1e-12)
 
 
-def test_starts_where_it_is_told_and_says_it():
+def test_starts_where_it_is_told_and_says_it() -> None:
     explorer = explore_depth_convention(0.0234, 12, 0.25)
     assert (explorer.near, explorer.far, explorer.raw) == (0.0234, 12.0, 0.25)
     assert explorer.view.nears == sorted(explorer.view.nears)
@@ -124,12 +131,12 @@ def test_starts_where_it_is_told_and_says_it():
     assert "raw 0.25000 between planes at 0.005 and 12 m is 0.0067 m" in repr(explorer)
 
 
-def test_starts_on_a_step_of_its_sliders():
+def test_starts_on_a_step_of_its_sliders() -> None:
     explorer = explore_depth_convention(0.02, 12.034, 0.123456)
     assert (explorer.far, explorer.raw) == (12.0, 0.1235)
 
 
-def test_the_poster_is_a_picture_of_the_curve():
+def test_the_poster_is_a_picture_of_the_curve() -> None:
     poster = explore_depth_convention(0.2, 3, 0.7).view.draw_poster()
     assert poster.dtype == np.uint8
     assert poster.shape == (360, 720, 3)
@@ -152,11 +159,11 @@ def test_the_poster_is_a_picture_of_the_curve():
         ({"near": 5.0, "far": 2.0}, "expected 0 < near < far"),
     ],
 )
-def test_values_outside_the_sliders_are_refused(arguments, message):
+def test_values_outside_the_sliders_are_refused(arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         explore_depth_convention(**arguments)
 
 
-def test_planes_must_be_numbers():
+def test_planes_must_be_numbers() -> None:
     with pytest.raises(TypeError, match="near: expected meters as a number"):
-        explore_depth_convention(near="0.02")
+        explore_depth_convention(near="0.02")  # type: ignore[arg-type]  # wrong on purpose

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cv2
+import mujoco
 import numpy as np
 import pytest
 
@@ -17,7 +18,7 @@ from labutils import (
 from labutils.explorers import _depth_picture as picture
 from labutils.explorers import explore_depth_range
 from labutils.explorers._base import DEPTH_STEP
-from labutils.explorers.depth_range import BINS
+from labutils.explorers.depth_range import BINS, DepthRangeExplorer
 from tests.helpers.node import evaluate
 from tests.helpers.tolerances import EXACT
 
@@ -25,7 +26,7 @@ CLIP = (0.02, 12.0)
 
 
 @pytest.fixture
-def depth(scene):
+def depth(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> np.ndarray:
     renderer = make_renderer(scene[0], 60, 80)
     try:
         return render_camera(*scene, renderer, "head_camera")[1]
@@ -34,12 +35,12 @@ def depth(scene):
 
 
 @pytest.fixture
-def explorer(depth, scene):
+def explorer(depth: np.ndarray, scene: tuple[mujoco.MjModel, mujoco.MjData]) -> DepthRangeExplorer:
     return explore_depth_range(depth, 0.8, 1.9, clip=get_clip_planes(scene[0]))
 
 
 @pytest.fixture
-def awkward():
+def awkward() -> np.ndarray:
     """Every kind of pixel, and values on the limits, in an image as wide as its stripes are."""
     depth = np.random.default_rng(7).uniform(0, 5, (40, 61))
     depth[:2, :4] = [[0.01, 0.0102, 9.9998, 10.0], [12.0, 14.0, 0.0, np.nan]]
@@ -47,7 +48,9 @@ def awkward():
     return depth
 
 
-def test_shares_and_invalid_pixels_are_those_of_labutils(explorer, depth):
+def test_shares_and_invalid_pixels_are_those_of_labutils(
+    explorer: DepthRangeExplorer, depth: np.ndarray
+) -> None:
     values = explorer.values
     near, far = explorer.depth_range
     surface = find_valid_depth(depth)
@@ -61,7 +64,7 @@ def test_shares_and_invalid_pixels_are_those_of_labutils(explorer, depth):
     assert min(shares) > 0
 
 
-def test_histograms_are_those_of_numpy(explorer, depth):
+def test_histograms_are_those_of_numpy(explorer: DepthRangeExplorer, depth: np.ndarray) -> None:
     values = explorer.values
     steps = picture.decode_steps(explorer.view.depth_png)
     meters = steps[find_valid_depth(depth)] * DEPTH_STEP
@@ -74,14 +77,14 @@ def test_histograms_are_those_of_numpy(explorer, depth):
     assert np.abs(np.array(values["metric_bins"]) - expected).sum() == np.count_nonzero(~off_border)
 
 
-def test_raw_values_crowd_at_one(explorer):
+def test_raw_values_crowd_at_one(explorer: DepthRangeExplorer) -> None:
     values = explorer.values
     assert values["raw_closest"] > 0.95
     assert np.count_nonzero(values["raw_bins"]) <= 3 < np.count_nonzero(values["metric_bins"])
-    assert values["raw_range"] == pytest.approx(metric_to_raw([0.8, 1.9], *CLIP).tolist())
+    assert values["raw_range"] == pytest.approx(metric_to_raw([0.8, 1.9], *CLIP).tolist())  # type: ignore[arg-type]  # array-like
 
 
-def test_a_pixel_is_read_in_meters_and_raw(explorer, depth):
+def test_a_pixel_is_read_in_meters_and_raw(explorer: DepthRangeExplorer, depth: np.ndarray) -> None:
     explorer.move(pixel=[40, 50])
     values = explorer.values
     assert explorer.pixel == (40, 50)
@@ -102,14 +105,18 @@ def test_a_pixel_is_read_in_meters_and_raw(explorer, depth):
         ((4, 2), picture.FARTHER),
     ],
 )
-def test_each_pixel_is_told_its_kind(awkward, pixel, kind):
+def test_each_pixel_is_told_its_kind(
+    awkward: np.ndarray, pixel: tuple[int, int], kind: int
+) -> None:
     explorer = explore_depth_range(awkward, 0.5, 2.5, clip=CLIP)
     explorer.move(pixel=list(pixel))
     assert explorer.values["pixel_kind"] == kind
 
 
 @pytest.mark.parametrize("pixel", [(1, 1), (2, 1), (3, 1), (0, 2), (1, 2)])
-def test_a_pixel_that_holds_no_depth_is_told_none(awkward, pixel):
+def test_a_pixel_that_holds_no_depth_is_told_none(
+    awkward: np.ndarray, pixel: tuple[int, int]
+) -> None:
     explorer = explore_depth_range(awkward, clip=CLIP)
     assert explorer.pixel is None
     assert explorer.values["pixel_kind"] is None
@@ -119,7 +126,7 @@ def test_a_pixel_that_holds_no_depth_is_told_none(awkward, pixel):
     assert values["pixel_kind"] == picture.NO_SURFACE
 
 
-def test_colors_are_those_of_visualize_depth(awkward):
+def test_colors_are_those_of_visualize_depth(awkward: np.ndarray) -> None:
     explorer = explore_depth_range(awkward, 0.0, 5.0, clip=CLIP)
     steps = picture.decode_steps(explorer.view.depth_png)
     kinds = picture.find_kinds(steps, picture.Limits(0, 25000))
@@ -131,11 +138,11 @@ def test_colors_are_those_of_visualize_depth(awkward):
     assert not ours[kinds == picture.NO_SURFACE].any()
 
 
-def read_tables():
+def read_tables() -> np.ndarray:
     return np.frombuffer(picture.make_color_tables(), np.uint8).reshape(-1, 256, 3)
 
 
-def test_color_tables_are_those_of_opencv():
+def test_color_tables_are_those_of_opencv() -> None:
     turbo, viridis, gray = read_tables()
     ramp = np.arange(256, dtype=np.uint8)[None]
     for table, code in ((turbo, cv2.COLORMAP_TURBO), (viridis, cv2.COLORMAP_VIRIDIS)):
@@ -145,7 +152,7 @@ def test_color_tables_are_those_of_opencv():
     assert gray[-1, 0] == 255
 
 
-def test_no_color_map_holds_black_or_the_colors_of_the_stripes():
+def test_no_color_map_holds_black_or_the_colors_of_the_stripes() -> None:
     """What is no surface, too near or too far cannot be taken for a distance."""
     assert read_tables().max(axis=2).min() > 40
     steps = picture.to_step(1.0) + np.zeros((16, 16), int)
@@ -159,7 +166,9 @@ def test_no_color_map_holds_black_or_the_colors_of_the_stripes():
 
 @pytest.mark.parametrize("limits", [(0.0, 5.0), (0.5, 2.5), (1.0, 1.0)])
 @pytest.mark.parametrize("color_map", [0, 1, 2])
-def test_the_page_paints_and_counts_the_same(awkward, limits, color_map):
+def test_the_page_paints_and_counts_the_same(
+    awkward: np.ndarray, limits: tuple[float, float], color_map: int
+) -> None:
     explorer = explore_depth_range(awkward, clip=CLIP)
     explorer.move(range_m=list(limits), color_map=color_map)
     steps = picture.decode_steps(explorer.view.depth_png)
@@ -207,13 +216,15 @@ def test_the_page_paints_and_counts_the_same(awkward, limits, color_map):
     assert inside == pytest.approx(values["share_inside"], rel=EXACT)
 
 
-def test_the_page_converts_as_labutils_does():
+def test_the_page_converts_as_labutils_does() -> None:
     z = np.linspace(0.001, 14, 400)
     raw = evaluate("_depth", "z.map((z) => m.metricToRaw(z, ...clip))", z=z.tolist(), clip=CLIP)
     np.testing.assert_allclose(raw, metric_to_raw(z, *CLIP), rtol=EXACT)
 
 
-def test_the_poster_shows_the_picture_over_its_color_bar(explorer, depth):
+def test_the_poster_shows_the_picture_over_its_color_bar(
+    explorer: DepthRangeExplorer, depth: np.ndarray
+) -> None:
     poster = explorer.view.draw_poster()
     steps = picture.decode_steps(explorer.view.depth_png)
     assert poster.dtype == np.uint8
@@ -225,13 +236,13 @@ def test_the_poster_shows_the_picture_over_its_color_bar(explorer, depth):
     assert "0.80 to 1.90 m" in repr(explorer)
 
 
-def test_the_slider_reaches_the_farthest_surface():
+def test_the_slider_reaches_the_farthest_surface() -> None:
     far_away = np.full((4, 4), 7.3)
     assert explore_depth_range(far_away, clip=CLIP).view.upper_m == 7.5
     assert explore_depth_range(far_away, 1, 9.9, clip=CLIP).depth_range == (1.0, 9.9)
 
 
-def test_depth_must_hold_a_surface():
+def test_depth_must_hold_a_surface() -> None:
     with pytest.raises(ValueError, match=r"depth_metric: expected a surface between .* got none"):
         explore_depth_range(np.full((4, 4), 12.0), clip=CLIP)
     with pytest.raises(ValueError, match="depth_metric: expected a depth image"):
@@ -239,11 +250,11 @@ def test_depth_must_hold_a_surface():
 
 
 @pytest.mark.parametrize("limits", [(-0.1, 2), (2, 2), (3, 2), (0, 10.5)])
-def test_limits_must_be_in_order_and_on_the_slider(limits):
+def test_limits_must_be_in_order_and_on_the_slider(limits: tuple[float, float]) -> None:
     with pytest.raises(ValueError, match=r"expected 0 <= near < far <= 10, got"):
         explore_depth_range(np.ones((4, 4)), *limits, clip=CLIP)
 
 
-def test_clip_planes_must_be_in_order():
+def test_clip_planes_must_be_in_order() -> None:
     with pytest.raises(ValueError, match=r"expected 0 < clip\[0\] < clip\[1\]"):
         explore_depth_range(np.ones((4, 4)), clip=(1.0, 0.5))

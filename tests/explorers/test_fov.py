@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -15,7 +16,7 @@ from labutils import (
     world_to_camera,
 )
 from labutils.explorers import explore_fov
-from labutils.explorers.fov import MAX_FOV_DEG, _render_wide
+from labutils.explorers.fov import MAX_FOV_DEG, FovExplorer, _render_wide
 from tests.helpers.node import evaluate
 from tests.helpers.tolerances import EXACT
 
@@ -23,17 +24,19 @@ OBJECTS = ("red_box", "blue_bottle", "cyan_mug", "red_ball")
 
 
 @pytest.fixture(scope="module")
-def explorer():
+def explorer() -> FovExplorer:
     return explore_fov(*make_scene(), objects=OBJECTS)
 
 
-def test_it_starts_at_the_angle_of_the_camera(explorer, scene):
+def test_it_starts_at_the_angle_of_the_camera(
+    explorer: FovExplorer, scene: tuple[mujoco.MjModel, mujoco.MjData]
+) -> None:
     K, fov_y = get_camera_intrinsics(scene[0], "head_camera", 640, 480)
     assert explorer.fov_y == pytest.approx(fov_y, abs=EXACT)
     np.testing.assert_allclose(explorer.K, K, rtol=EXACT)
 
 
-def test_values_follow_angle_and_size(explorer):
+def test_values_follow_angle_and_size(explorer: FovExplorer) -> None:
     explorer.move(fov_y_deg=60.0, size=2)
     try:
         assert explorer.picture_size == (1280, 960)
@@ -45,7 +48,7 @@ def test_values_follow_angle_and_size(explorer):
 
 @pytest.mark.parametrize("fov", [10.0, 30.0, 45.0, 88.5, 100.0])
 @pytest.mark.parametrize("size", [0, 1, 2])
-def test_the_page_computes_the_same_camera(explorer, fov, size):
+def test_the_page_computes_the_same_camera(explorer: FovExplorer, fov: float, size: int) -> None:
     explorer.move(fov_y_deg=fov, size=size)
     expected = explorer.values
     sizes = explorer.view.sizes
@@ -61,7 +64,9 @@ def test_the_page_computes_the_same_camera(explorer, fov, size):
     assert found["fov_x_deg"] == pytest.approx(expected["fov_x_deg"], rel=EXACT)
 
 
-def test_a_narrow_view_is_exactly_the_middle_of_the_wide_one(scene):
+def test_a_narrow_view_is_exactly_the_middle_of_the_wide_one(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # With 100 and 61.6 degrees the middle half of the wide picture is the whole narrow one,
     # pixel for pixel; what differs is the smoothing of edges.
     model, data = scene
@@ -78,7 +83,9 @@ def test_a_narrow_view_is_exactly_the_middle_of_the_wide_one(scene):
 
 
 @pytest.mark.parametrize("fov", [20.0, 33.0, 45.0])
-def test_objects_inside_are_those_whose_center_falls_on_a_column(explorer, scene, fov):
+def test_objects_inside_are_those_whose_center_falls_on_a_column(
+    explorer: FovExplorer, scene: tuple[mujoco.MjModel, mujoco.MjData], fov: float
+) -> None:
     _, data = scene
     camera = data.cam("head_camera")
     explorer.move(fov_y_deg=fov)
@@ -91,14 +98,16 @@ def test_objects_inside_are_those_whose_center_falls_on_a_column(explorer, scene
     assert explorer.values["seen"] == ["red ball", "red box", "blue bottle", "cyan mug"]
 
 
-def test_the_scene_keeps_its_own_angle(scene):
+def test_the_scene_keeps_its_own_angle(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     before = model.cam_fovy.copy()
     explore_fov(model, data)
     np.testing.assert_array_equal(model.cam_fovy, before)
 
 
-def test_the_poster_shows_the_camera_picture(explorer, scene):
+def test_the_poster_shows_the_camera_picture(
+    explorer: FovExplorer, scene: tuple[mujoco.MjModel, mujoco.MjData]
+) -> None:
     model, data = scene
     renderer = make_renderer(model, 480, 640)
     rgb, _ = render_camera(model, data, renderer, "head_camera")
@@ -109,14 +118,16 @@ def test_the_poster_shows_the_camera_picture(explorer, scene):
     assert np.abs(poster.astype(int) - rgb).mean() < 6
 
 
-def test_an_unknown_camera_or_body_is_named(scene):
+def test_an_unknown_camera_or_body_is_named(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     with pytest.raises(ValueError, match="nose_camera"):
         explore_fov(*scene, "nose_camera")
     with pytest.raises(KeyError, match="green_cow"):
         explore_fov(*scene, objects=("green_cow",))
 
 
-def test_a_camera_wider_than_the_slider_is_refused(scene):
+def test_a_camera_wider_than_the_slider_is_refused(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     model.cam("head_camera").fovy[:] = 120
     with pytest.raises(ValueError, match="expected a field of view of 10 to 100 degrees, got 120"):

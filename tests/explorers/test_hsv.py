@@ -82,7 +82,7 @@ def test_a_picked_pixel_tells_its_color_and_what_keeps_it_out() -> None:
     assert explorer.pixel_hsv is None
     explorer.move(pixel=[0, 0])
     assert explorer.pixel == (0, 0)
-    assert explorer.pixel_rgb == (200, 20, 20)
+    assert explorer.pixel_rgb == (200, 20, 20)  # type: ignore[unreachable]  # the move picks a pixel
     assert explorer.pixel_hsv == (0, 229, 200)
     assert explorer.values["pixel_excluded_by"] == []
     assert explorer.values["pixel_inside"] is explorer.values["pixel_selected"] is True

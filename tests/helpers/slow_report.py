@@ -27,13 +27,13 @@ PACKAGES = {
 ROW = re.compile(r"^\| `(tests/\S+)` \| (\d+) \| (\d+) \| (\d+) \|$", re.MULTILINE)
 
 #: Slow tests of a session by their file, the deselected ones too; and whether all were collected.
-COLLECTED = pytest.StashKey[Counter]()
+COLLECTED = pytest.StashKey[Counter[str]]()
 COMPLETE = pytest.StashKey[bool]()
 
 
-def collect_results(stats: Mapping[str, Iterable[pytest.TestReport]]) -> dict[str, Counter]:
+def collect_results(stats: Mapping[str, Iterable[pytest.TestReport]]) -> dict[str, Counter[str]]:
     """Count outcomes by file, from what a terminal reporter has counted."""
-    found: dict[str, Counter] = {}
+    found: dict[str, Counter[str]] = {}
     for name, outcome in [*zip(OUTCOMES, OUTCOMES, strict=True), ("error", "failed")]:
         for report in stats.get(name, ()):
             found.setdefault(report.nodeid.split("::")[0], Counter())[outcome] += 1
@@ -43,17 +43,22 @@ def collect_results(stats: Mapping[str, Iterable[pytest.TestReport]]) -> dict[st
 def collect_reasons(stats: Mapping[str, Iterable[pytest.TestReport]]) -> list[str]:
     """List the tests that failed, and why others were skipped."""
     broken = {one.nodeid for name in ("failed", "error") for one in stats.get(name, ())}
-    skipped = {one.longrepr[2].removeprefix("Skipped: ") for one in stats.get("skipped", ())}
+    skipped = {_get_reason(one) for one in stats.get("skipped", ())}
     return [f"failed: `{one}`" for one in sorted(broken)] + [
         f"skipped: {one}" for one in sorted(skipped)
     ]
 
 
-def make_table(results: Mapping[str, Counter], reasons: Iterable[str]) -> str:
+def _get_reason(report: pytest.TestReport) -> str:
+    assert isinstance(report.longrepr, tuple)  # file, line, reason
+    return report.longrepr[2].removeprefix("Skipped: ")
+
+
+def make_table(results: Mapping[str, Counter[str]], reasons: Iterable[str]) -> str:
     """Write the page's part: versions, counts by file, reasons."""
     versions = [f"{name} {version(package)}" for name, package in PACKAGES.items()]
     python = ".".join(platform.python_version_tuple()[:2])
-    total = sum(results.values(), Counter())
+    total = sum(results.values(), Counter[str]())
     rows = [
         f"| {name} | {' | '.join(str(counts[one]) for one in OUTCOMES)} |"
         for name, counts in [*((f"`{k}`", results[k]) for k in sorted(results)), ("all", total)]
@@ -74,7 +79,7 @@ def make_table(results: Mapping[str, Counter], reasons: Iterable[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def read_table(text: str) -> dict[str, Counter]:
+def read_table(text: str) -> dict[str, Counter[str]]:
     """Read the counts of a table again."""
     return {
         name: Counter(dict(zip(OUTCOMES, map(int, counts), strict=True)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 import pytest
@@ -17,28 +19,28 @@ def make_hue_picture(hue: int, size: tuple[int, int] = (30, 40)) -> np.ndarray:
 
 
 @pytest.mark.parametrize("hue", [0, 5, 10, 170, 175, 179])
-def test_a_range_with_low_above_high_wraps_through_red(hue):
+def test_a_range_with_low_above_high_wraps_through_red(hue: int) -> None:
     assert segment_by_color(make_hue_picture(hue), ((170, 100, 100), (10, 255, 255))).all()
 
 
 @pytest.mark.parametrize("hue", [12, 60, 120, 168])
-def test_a_wrapping_range_leaves_the_other_hues_out(hue):
+def test_a_wrapping_range_leaves_the_other_hues_out(hue: int) -> None:
     assert not segment_by_color(make_hue_picture(hue), ((170, 100, 100), (10, 255, 255))).any()
 
 
-def test_limits_are_inclusive():
+def test_limits_are_inclusive() -> None:
     picture = make_hue_picture(60)
     assert segment_by_color(picture, ((60, 255, 255), (60, 255, 255))).all()
 
 
-def test_saturation_and_value_gate_a_wrapping_range_on_both_sides():
+def test_saturation_and_value_gate_a_wrapping_range_on_both_sides() -> None:
     gray = np.full((20, 20, 3), 120, np.uint8)  # hue 0, saturation 0
     assert not segment_by_color(gray, ((170, 50, 50), (10, 255, 255))).any()
     dark = make_hue_picture(178) // 10
     assert not segment_by_color(dark, ((170, 50, 50), (10, 255, 255))).any()
 
 
-def test_a_wrapping_range_is_the_union_of_its_halves():
+def test_a_wrapping_range_is_the_union_of_its_halves() -> None:
     rng = np.random.default_rng(4)
     picture = cv2.resize(rng.integers(0, 256, (12, 16, 3), np.uint8), (96, 72))
     hsv = cv2.cvtColor(picture, cv2.COLOR_RGB2HSV)
@@ -50,7 +52,7 @@ def test_a_wrapping_range_is_the_union_of_its_halves():
     assert_array_equal(segment_by_color(picture, ((160, 40, 60), (20, 255, 255))), expected)
 
 
-def test_opening_comes_first_so_specks_go_and_holes_close():
+def test_opening_comes_first_so_specks_go_and_holes_close() -> None:
     picture = np.zeros((60, 60, 3), np.uint8)
     picture[10:40, 10:40] = (0, 255, 0)
     picture[20:23, 20:23] = 0  # a hole of 3: closed
@@ -62,10 +64,10 @@ def test_opening_comes_first_so_specks_go_and_holes_close():
     assert mask.dtype == np.uint8
 
 
-def test_numpy_ranges_and_lists_are_accepted():
+def test_numpy_ranges_and_lists_are_accepted() -> None:
     picture = make_hue_picture(60)
-    assert segment_by_color(picture, np.array([[50, 0, 0], [70, 255, 255]])).all()
-    assert segment_by_color(picture, [[50, 0, 0], [70, 255, 255]]).all()
+    assert segment_by_color(picture, np.array([[50, 0, 0], [70, 255, 255]])).all()  # type: ignore[arg-type]  # they do as well
+    assert segment_by_color(picture, [[50, 0, 0], [70, 255, 255]]).all()  # type: ignore[arg-type]  # they do as well
 
 
 @pytest.mark.parametrize(
@@ -80,7 +82,9 @@ def test_numpy_ranges_and_lists_are_accepted():
         (((0.5, 0, 0), (10, 255, 255)), TypeError, "expected whole numbers"),
     ],
 )
-def test_ranges_that_are_none_are_refused(limits, error, words):
+def test_ranges_that_are_none_are_refused(
+    limits: tuple[Any, ...], error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         segment_by_color(make_hue_picture(0), limits)
 
@@ -93,36 +97,40 @@ def test_ranges_that_are_none_are_refused(limits, error, words):
         (np.zeros((4, 4, 4), np.uint8), ValueError, r"shape \(H, W, 3\)"),
     ],
 )
-def test_pictures_that_are_none_are_refused(picture, error, words):
+def test_pictures_that_are_none_are_refused(
+    picture: np.ndarray, error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         segment_by_color(picture, HSV_RANGES["red"])
 
 
-def test_centroid_is_column_then_row():
+def test_centroid_is_column_then_row() -> None:
     mask = np.zeros((40, 80), np.uint8)
     mask[5:16, 50:71] = 255  # rows 5-15, columns 50-70
     assert find_object_centroid(mask) == (60, 10)
 
 
-def test_centroid_is_of_the_largest_object_not_of_all():
+def test_centroid_is_of_the_largest_object_not_of_all() -> None:
     mask = np.zeros((60, 100), np.uint8)
     mask[2:10, 2:10] = 255
     mask[30:51, 60:91] = 255
     assert find_object_centroid(mask) == (75, 40)
 
 
-def test_size_is_area_not_length_of_outline():
+def test_size_is_area_not_length_of_outline() -> None:
     mask = np.zeros((60, 200), np.uint8)
     mask[5:7, 0:200] = 255  # long and thin: 199 square pixels of contour area
     mask[30:51, 90:111] = 255  # 400
     assert find_object_centroid(mask) == (100, 40)
 
 
-def test_centroid_is_the_center_of_mass_not_of_the_box():
+def test_centroid_is_the_center_of_mass_not_of_the_box() -> None:
     mask = np.zeros((60, 60), np.uint8)
     mask[10:51, 10:21] = 255
     mask[40:51, 10:51] = 255  # an L, whose box is centered at (30, 30)
-    x, y = find_object_centroid(mask)
+    centroid = find_object_centroid(mask)
+    assert centroid is not None
+    x, y = centroid
     assert x < 25
     assert y > 35
 
@@ -135,27 +143,29 @@ def test_centroid_is_the_center_of_mass_not_of_the_box():
         np.pad(np.full((1, 6), 255, np.uint8), 3),  # nor has a line
     ],
 )
-def test_nothing_with_an_area_gives_none(mask):
+def test_nothing_with_an_area_gives_none(mask: np.ndarray) -> None:
     assert find_object_centroid(mask) is None
 
 
-def test_bool_masks_and_any_nonzero_value_count_as_inside():
+def test_bool_masks_and_any_nonzero_value_count_as_inside() -> None:
     mask = np.zeros((20, 20), bool)
     mask[4:11, 4:15] = True
     assert find_object_centroid(mask) == find_object_centroid(mask.astype(np.uint8)) == (9, 7)
-    assert all(isinstance(value, int) for value in find_object_centroid(mask))
+    centroid = find_object_centroid(mask)
+    assert centroid is not None
+    assert all(isinstance(value, int) for value in centroid)
 
 
 @pytest.mark.parametrize(
     ("mask", "error"),
     [(np.zeros((4, 4)), TypeError), (np.zeros((4, 4, 3), np.uint8), ValueError)],
 )
-def test_masks_that_are_none_are_refused(mask, error):
+def test_masks_that_are_none_are_refused(mask: np.ndarray, error: type[Exception]) -> None:
     with pytest.raises(error, match="mask: expected a"):
         find_object_centroid(mask)
 
 
-def test_a_detection_is_drawn_on_a_copy():
+def test_a_detection_is_drawn_on_a_copy() -> None:
     picture = np.full((60, 80, 3), 50, np.uint8)
     mask = np.zeros((60, 80), np.uint8)
     mask[10:30, 10:30] = 255

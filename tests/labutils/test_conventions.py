@@ -26,13 +26,15 @@ from labutils._constants import FLIP_YZ
 from tests.helpers.tolerances import DEPTH_MEDIAN_MM, EXACT
 
 
-def test_pixel_center_is_the_integer_so_the_middle_is_half_of_width_minus_one():
+def test_pixel_center_is_the_integer_so_the_middle_is_half_of_width_minus_one() -> None:
     # The rival, W/2 and H/2, would give 320.5 and 150.5: half a pixel more.
     K = intrinsics_matrix(0.9, 641, 301)
     assert_allclose(K[:2, 2], [320.0, 150.0], rtol=0, atol=EXACT)
 
 
-def test_half_a_pixel_shows_against_the_rays(asymmetric):
+def test_half_a_pixel_shows_against_the_rays(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # With (W-1)/2 depth agrees with the rays far below 0.01 mm; rays through W/2 hit the tilted
     # cube elsewhere, which is worth 0.1 mm and more.
     model, data = asymmetric
@@ -64,7 +66,9 @@ def _raycast_with(model: mujoco.MjModel, data: mujoco.MjData, K: np.ndarray) -> 
 
 
 @pytest.mark.parametrize("camera", ["sensor", "plain"])
-def test_intrinsics_put_a_body_where_the_picture_shows_it(asymmetric, camera):
+def test_intrinsics_put_a_body_where_the_picture_shows_it(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData], camera: str
+) -> None:
     # The rivals: fovy taken as horizontal would be off by 10 px, an unsigned principal point by
     # 75 px, for the ball's center.
     model, data = asymmetric
@@ -81,7 +85,9 @@ def test_intrinsics_put_a_body_where_the_picture_shows_it(asymmetric, camera):
     assert_allclose([columns.mean(), rows.mean()], pixel, rtol=0, atol=0.6)
 
 
-def test_opengl_draws_the_same_pixels_as_the_intrinsics_say(asymmetric):
+def test_opengl_draws_the_same_pixels_as_the_intrinsics_say(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = asymmetric
     with make_renderer(model, 301, 401) as renderer:
         _, depth = render_camera(model, data, renderer, "sensor")
@@ -92,14 +98,18 @@ def test_opengl_draws_the_same_pixels_as_the_intrinsics_say(asymmetric):
     assert_allclose(drawn, cast, rtol=0, atol=0.2)
 
 
-def test_field_of_view_of_a_sensor_camera_spans_its_upper_and_lower_edge(asymmetric):
+def test_field_of_view_of_a_sensor_camera_spans_its_upper_and_lower_edge(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # 2 atan(sensor / 2 focal) would be right only for a centered principal point: 0.6435 rad.
     model, _ = asymmetric
     _, fov_y = get_camera_intrinsics(model, "sensor", 401, 301)
     assert_allclose(fov_y, np.arctan(0.0015 / 0.006) + np.arctan(0.0025 / 0.006), rtol=1e-6)
 
 
-def test_resolution_of_a_sensor_camera_plays_no_part(asymmetric):
+def test_resolution_of_a_sensor_camera_plays_no_part(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, _ = asymmetric
     before, _ = get_camera_intrinsics(model, "sensor", 401, 301)
     model.cam_resolution[model.camera("sensor").id] = (100, 100)
@@ -107,7 +117,9 @@ def test_resolution_of_a_sensor_camera_plays_no_part(asymmetric):
     assert_allclose(after, before, rtol=0, atol=0)
 
 
-def test_camera_frame_is_x_right_y_down_z_forward(scene):
+def test_camera_frame_is_x_right_y_down_z_forward(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # MuJoCo's own axes (y up, looking along -z) would give a negative third and flipped second.
     model, data = scene
     T_world_cam = get_camera_pose(model, data, "head_camera")
@@ -117,7 +129,9 @@ def test_camera_frame_is_x_right_y_down_z_forward(scene):
     assert in_cam[2] > 0.5
 
 
-def test_pose_and_camera_to_world_are_the_same_transform(scene):
+def test_pose_and_camera_to_world_are_the_same_transform(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     cam_id = model.camera("left_eye").id
     point = np.array([[0.1, -0.2, 1.3]])
@@ -126,7 +140,9 @@ def test_pose_and_camera_to_world_are_the_same_transform(scene):
     assert_allclose(by_function, by_pose[:3], rtol=0, atol=EXACT)
 
 
-def test_depth_is_along_the_optical_axis_not_along_the_ray(asymmetric):
+def test_depth_is_along_the_optical_axis_not_along_the_ray(
+    asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # At the corner of the plain camera the ray is 1.17 times as long as its depth.
     model, data = asymmetric
     depth = raycast_depth(model, data, "plain", 401, 301)
@@ -134,7 +150,7 @@ def test_depth_is_along_the_optical_axis_not_along_the_ray(asymmetric):
     assert_allclose([depth[0, 0], depth[0, -1], depth[-1, -1]], 2.95, rtol=1e-6)
 
 
-def test_raw_depth_is_zero_near_and_one_far(scene):
+def test_raw_depth_is_zero_near_and_one_far(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     with make_renderer(model, 48, 64) as renderer:
         _, depth = render_camera(model, data, renderer, "head_camera")
@@ -143,7 +159,7 @@ def test_raw_depth_is_zero_near_and_one_far(scene):
     assert raw.ravel()[nearest] < raw.ravel()[farthest] < 1
 
 
-def test_eyes_are_one_named_baseline_apart(scene):
+def test_eyes_are_one_named_baseline_apart(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     left, right = (data.cam_xpos[model.camera(name).id] for name in ("left_eye", "right_eye"))
     baseline = model.numeric("eye_baseline").data[0]
@@ -154,7 +170,7 @@ def test_eyes_are_one_named_baseline_apart(scene):
     assert_allclose(right_in_left[:3], [baseline, 0, 0], rtol=0, atol=1e-9)
 
 
-def test_colors_are_rgb_in_memory():
+def test_colors_are_rgb_in_memory() -> None:
     # Read as BGR this pure blue would be red, inside the range below.
     blue = np.zeros((20, 20, 3), np.uint8)
     blue[...] = (0, 0, 255)
@@ -162,7 +178,7 @@ def test_colors_are_rgb_in_memory():
     assert segment_by_color(blue, ((115, 100, 100), (125, 255, 255))).min() == 255
 
 
-def test_depth_pictures_are_bgr_blue_close_and_red_far():
+def test_depth_pictures_are_bgr_blue_close_and_red_far() -> None:
     close, far = visualize_depth(np.array([[0.6, 4.9]]))[0]
     blue, _, red = 0, 1, 2
     assert close[blue] > close[red]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, NoReturn
+
 import cv2
 import numpy as np
 import pytest
@@ -27,7 +29,9 @@ NAMES = ("cloud", "comparison", "depth", "histogram", "images", "lines")
 
 def decode(picture: Picture) -> np.ndarray:
     """Read a picture back: BGRA."""
-    return cv2.imdecode(np.frombuffer(picture.png, np.uint8), cv2.IMREAD_UNCHANGED)
+    image = cv2.imdecode(np.frombuffer(picture.png, np.uint8), cv2.IMREAD_UNCHANGED)
+    assert image is not None
+    return image
 
 
 def make_all() -> dict[str, Picture]:
@@ -60,7 +64,9 @@ def figures_again() -> dict[str, Picture]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_figure_shows_itself_and_is_the_same_every_time(figures, figures_again, name):
+def test_a_figure_shows_itself_and_is_the_same_every_time(
+    figures: dict[str, Picture], figures_again: dict[str, Picture], name: str
+) -> None:
     first, second = figures[name], figures_again[name]
     assert first.png == second.png
     data, metadata = first._repr_mimebundle_()
@@ -70,7 +76,9 @@ def test_a_figure_shows_itself_and_is_the_same_every_time(figures, figures_again
 
 
 @pytest.mark.parametrize("name", sorted(set(NAMES) - {"cloud"}))
-def test_a_figure_has_a_transparent_ground_and_mid_gray_ink(figures, name):
+def test_a_figure_has_a_transparent_ground_and_mid_gray_ink(
+    figures: dict[str, Picture], name: str
+) -> None:
     bgra = decode(figures[name])
     assert bgra.shape[2] == 4
     assert (bgra[..., 3] == 0).mean() > 0.05
@@ -92,7 +100,7 @@ def relative_luminance(rgb: tuple[int, int, int]) -> float:
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
-def test_the_ink_is_readable_on_both_grounds():
+def test_the_ink_is_readable_on_both_grounds() -> None:
     ink = relative_luminance(to_rgb(_INK))
     for ground in ((255, 255, 255), (18, 18, 18)):
         bright, dark = sorted((ink, relative_luminance(ground)), reverse=True)
@@ -100,17 +108,17 @@ def test_the_ink_is_readable_on_both_grounds():
         assert (bright + 0.05) / (dark + 0.05) > 4.2
 
 
-def test_comparison_refuses_pictures_of_different_size():
+def test_comparison_refuses_pictures_of_different_size() -> None:
     with pytest.raises(ValueError, match="truth: expected the size of ours"):
         plot_comparison(np.ones((3, 4)), np.ones((4, 3)))
 
 
-def test_cloud_refuses_an_unknown_frame():
+def test_cloud_refuses_an_unknown_frame() -> None:
     with pytest.raises(ValueError, match="frame: expected 'camera' or 'world', got 'robot'"):
         plot_cloud(np.ones((3, 3)), frame="robot")
 
 
-def test_the_world_frame_is_drawn_with_z_up():
+def test_the_world_frame_is_drawn_with_z_up() -> None:
     # A tall column of points in the world must come out taller than wide.
     column = np.random.default_rng(0).uniform(0, [0.1, 0.1, 1.0], (4000, 3))
     alpha = decode(plot_cloud(column, frame="world", axes=False, elevation_deg=0))[..., 3]
@@ -118,7 +126,7 @@ def test_the_world_frame_is_drawn_with_z_up():
     assert np.ptp(rows) > 2 * np.ptp(columns)
 
 
-def test_the_nearest_point_is_on_top():
+def test_the_nearest_point_is_on_top() -> None:
     K = np.array([[50.0, 0, 10], [0, 50.0, 10], [0, 0, 1]])
     points = np.array([[0, 0, 2.0], [0, 0, 1.0], [0, 0, 3.0], [0, 0, -1.0]])
     colors = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1.0]])
@@ -127,7 +135,7 @@ def test_the_nearest_point_is_on_top():
     assert (drawn[..., 3] > 0).sum() == 9
 
 
-def test_a_view_looks_at_its_target():
+def test_a_view_looks_at_its_target() -> None:
     eye, target = np.array([1.0, -2, 0.5]), np.array([0.2, 0.1, 3])
     T = make_look_at(eye, target, np.array([0, -1.0, 0]))
     in_view = T @ np.append(target, 1)
@@ -137,7 +145,7 @@ def test_a_view_looks_at_its_target():
         make_look_at(eye, eye, np.array([0, -1.0, 0]))
 
 
-def test_a_view_point_lies_behind_and_above_and_farther_from_the_middle_than_most_points():
+def test_a_view_point_lies_behind_and_above_and_farther_from_the_middle_than_most_points() -> None:
     points = np.random.default_rng(1).uniform([-1, -1, 1], [1, 1, 2], (500, 3))
     target, eye = get_view_point(points)
     assert eye[2] < target[2]
@@ -147,12 +155,17 @@ def test_a_view_point_lies_behind_and_above_and_farther_from_the_middle_than_mos
 
 
 @pytest.mark.parametrize("point_size", [1, 2, 3, 4])
-def test_a_cloud_and_its_mirror_image_are_drawn_as_mirror_images(point_size):
+def test_a_cloud_and_its_mirror_image_are_drawn_as_mirror_images(point_size: int) -> None:
     # With the middle at W/2 instead of (W-1)/2, all would lie half a pixel to the right and below.
     half = np.random.default_rng(6).uniform(0.02, 0.3, (4000, 3))
     points = np.concatenate([half * [x, y, 1] for x in (1, -1) for y in (1, -1)])
     points[:, 2] += 1
-    look = {"azimuth_deg": 0, "elevation_deg": 0, "axes": False, "point_size": point_size}
+    look: dict[str, Any] = {
+        "azimuth_deg": 0,
+        "elevation_deg": 0,
+        "axes": False,
+        "point_size": point_size,
+    }
     drawn = decode(plot_cloud(points, np.ones(points.shape), **look))[..., 3] > 0
     assert drawn.shape == (1000, 1440)
     assert 0.003 < drawn.mean() < 0.9
@@ -162,35 +175,46 @@ def test_a_cloud_and_its_mirror_image_are_drawn_as_mirror_images(point_size):
         assert (mirrored != drawn).mean() < 1e-4
 
 
-def test_visualize_pointcloud_without_a_screen_gives_a_picture_with_the_cloud_in_it(monkeypatch):
+def test_visualize_pointcloud_without_a_screen_gives_a_picture_with_the_cloud_in_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
     points = np.random.default_rng(0).uniform([-0.5, -0.5, 1], [0.5, 0.5, 2], (20_000, 3))
     red = np.tile([1.0, 0.0, 0.0], (len(points), 1))
     picture = visualize_pointcloud(points, red)
+    assert isinstance(picture, Picture)
     bgr = decode(picture)[..., :3].astype(int)
     # Bright red, drawn as it is: no tone mapping, no shading.
     assert ((bgr[..., 2] > 200) & (bgr[..., :2].max(axis=-1) < 60)).mean() > 0.05
 
 
-def test_visualize_pointcloud_without_open3d_draws_by_itself(monkeypatch):
+def test_visualize_pointcloud_without_open3d_draws_by_itself(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: "not installed")
     picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert isinstance(picture, Picture)
     assert "point cloud of 500 points" in picture.summary
 
 
-def test_visualize_pointcloud_without_a_vulkan_driver_draws_by_itself(monkeypatch):
-    def fail(*_):
+def test_visualize_pointcloud_without_a_vulkan_driver_draws_by_itself(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fail(*_: object) -> NoReturn:
         raise RuntimeError("Failed to load vulkan library!")
 
     monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
     monkeypatch.setattr("labutils.cloud_view._draw_off_screen", fail)
     picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert isinstance(picture, Picture)
     assert "point cloud of 500 points" in picture.summary
 
 
-def test_visualize_pointcloud_opens_a_window_where_there_is_a_screen(monkeypatch):
+def test_visualize_pointcloud_opens_a_window_where_there_is_a_screen(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     shown = []
     monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: None)
     monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: True)
@@ -208,19 +232,21 @@ def test_visualize_pointcloud_opens_a_window_where_there_is_a_screen(monkeypatch
         (np.ones((4, 3)), 255 * np.ones((4, 3)), "colors: expected 0 to 1, got 255 to 255"),
     ],
 )
-def test_visualize_pointcloud_of_bad_input_says_why(points, colors, words):
+def test_visualize_pointcloud_of_bad_input_says_why(
+    points: np.ndarray, colors: np.ndarray | None, words: str
+) -> None:
     with pytest.raises(ValueError, match=words):
         visualize_pointcloud(points, colors)
 
 
 @pytest.mark.parametrize("name", ["comparison", "depth", "images"])
-def test_no_title_or_label_is_cut_off_at_the_edge(figures, name):
+def test_no_title_or_label_is_cut_off_at_the_edge(figures: dict[str, Picture], name: str) -> None:
     alpha = decode(figures[name])[..., 3]
     assert alpha[0].max() == 0
     assert alpha[-1].max() == 0
 
 
-def test_titles_stand_whole_above_wide_pictures():
+def test_titles_stand_whole_above_wide_pictures() -> None:
     # the pictures of the book: 4:3, so that titles and color bars fight for the height
     depth = np.random.default_rng(RNG_SEED).uniform(1, 3, (240, 320))
     rgb = np.zeros((240, 320, 3), np.uint8)
@@ -233,7 +259,7 @@ def test_titles_stand_whole_above_wide_pictures():
         assert decode(picture)[0, :, 3].max() == 0
 
 
-def test_labels_that_would_overlap_move_apart_and_others_stay():
+def test_labels_that_would_overlap_move_apart_and_others_stay() -> None:
     assert_allclose(spread_labels(np.array([50.0, 10.0]), 13), [50, 10])
     assert_allclose(spread_labels(np.array([5.0, 5.0]), 13), [-1.5, 11.5])
     apart = spread_labels(np.array([3.0, 1.0, 2.0, 90.0]), 10)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from labutils._guards import check_hsv_range, check_pixel, check_positive
 
 
 @pytest.mark.parametrize("pixel", [(3, 4), [3, 4], np.array([3, 4]), (np.int8(3), np.uint16(4))])
-def test_a_pixel_comes_back_as_two_ints(pixel):
+def test_a_pixel_comes_back_as_two_ints(pixel: Any) -> None:
     checked = check_pixel("pixel", pixel, 4, 5)
     assert checked == (3, 4)
     assert [type(one) for one in checked] == [int, int]
@@ -33,12 +35,14 @@ def test_a_pixel_comes_back_as_two_ints(pixel):
         (None, TypeError, "two whole numbers, got NoneType None"),
     ],
 )
-def test_what_is_no_pixel_of_the_picture_is_refused(pixel, error, words):
+def test_what_is_no_pixel_of_the_picture_is_refused(
+    pixel: Any, error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         check_pixel("seed", pixel, 4, 5)
 
 
-def test_an_hsv_range_comes_back_as_two_arrays_and_is_named_when_it_is_none():
+def test_an_hsv_range_comes_back_as_two_arrays_and_is_named_when_it_is_none() -> None:
     low, high = check_hsv_range("limits", ((170, 1, 2), (6, 3, 4)))
     assert (low.tolist(), high.tolist()) == ([170, 1, 2], [6, 3, 4])
     with pytest.raises(ValueError, match=r"^limits: expected 0 to \(179, 255, 255\)"):
@@ -56,7 +60,7 @@ def test_an_hsv_range_comes_back_as_two_arrays_and_is_named_when_it_is_none():
         (True, TypeError, "got bool True"),
     ],
 )
-def test_a_length_that_is_none_is_refused(value, error, words):
+def test_a_length_that_is_none_is_refused(value: Any, error: type[Exception], words: str) -> None:
     with pytest.raises(error, match=words):
         check_positive("baseline", value, "meters")
     assert check_positive("baseline", np.float32(0.5), "meters") == 0.5

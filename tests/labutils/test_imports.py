@@ -5,11 +5,15 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import labutils
+
+#: What every module imports of the others, by name.
+Imports = dict[str, set[str]]
 
 #: Geometry: what a robot without a screen, a grader or a browser needs first.
 ON_NUMPY_ALONE = ("cameras", "depth_values", "ply", "projection", "stereo")
@@ -25,13 +29,13 @@ def read_modules(package: Path) -> dict[str, ast.Module]:
     return found
 
 
-def find_imports(modules: dict[str, ast.Module]) -> dict[str, set[str]]:
+def find_imports(modules: dict[str, ast.Module]) -> Imports:
     """List what every module imports of the others, wherever in it: types and functions too.
 
     Whoever imports a module of a package from outside imports the package as well. Of the package
     that a module lies in, only what it names itself counts: the package was there first.
     """
-    found: dict[str, set[str]] = {name: set() for name in modules}
+    found: Imports = {name: set() for name in modules}
     for name, tree in modules.items():
         for node in ast.walk(tree):
             for target in _find_targets(node, modules):
@@ -54,7 +58,7 @@ def _find_targets(node: ast.AST, modules: dict[str, ast.Module]) -> list[str]:
     return submodules + plain
 
 
-def find_circle(imports: dict[str, set[str]]) -> list[str]:
+def find_circle(imports: Imports) -> list[str]:
     """Return the names along a circle, the first again at the end; [] if there is none."""
     done: set[str] = set()
 
@@ -72,7 +76,7 @@ def find_circle(imports: dict[str, set[str]]) -> list[str]:
     return next(filter(None, (visit(name, []) for name in sorted(imports))), [])
 
 
-def find_all_below(imports: dict[str, set[str]], name: str) -> set[str]:
+def find_all_below(imports: Imports, name: str) -> set[str]:
     """Return all modules that a module stands on, directly or not."""
     found: set[str] = set()
     left = [name]
@@ -84,15 +88,15 @@ def find_all_below(imports: dict[str, set[str]], name: str) -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def imports():
+def imports() -> Imports:
     return find_imports(read_modules(Path(labutils.__file__).parent))
 
 
 @pytest.fixture
-def import_scratch(tmp_path):
+def import_scratch(tmp_path: Path) -> Callable[[dict[str, str]], Imports]:
     """Write the modules of a package `a`, by path to text, and list what they import."""
 
-    def make(texts: dict[str, str]) -> dict[str, set[str]]:
+    def make(texts: dict[str, str]) -> Imports:
         for name, text in texts.items():
             path = tmp_path / "a" / f"{name}.py"
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -102,24 +106,28 @@ def import_scratch(tmp_path):
     return make
 
 
-def test_no_module_of_the_library_stands_on_itself(imports):
+def test_no_module_of_the_library_stands_on_itself(imports: Imports) -> None:
     assert len(imports) > 30
     circle = find_circle(imports)
     assert not circle, f"modules that import each other: {' -> '.join(circle)}"
 
 
-def test_no_module_of_the_library_imports_from_its_front_door(imports):
+def test_no_module_of_the_library_imports_from_its_front_door(
+    imports: Imports,
+) -> None:
     assert [name for name, others in imports.items() if "labutils" in others] == []
 
 
-def test_a_cloud_stands_on_no_renderer(imports):
+def test_a_cloud_stands_on_no_renderer(imports: Imports) -> None:
     below = find_all_below(imports, "labutils.pointcloud")
     assert "labutils.projection" in below
     drawn = {"camera_utils", "raycast", "rendering", "_ray_casting", "scene"}
     assert not {one for one in below if one.split(".")[1] in drawn | {"renderers"}}
 
 
-def test_geometry_stands_on_nothing_that_is_not_geometry(imports):
+def test_geometry_stands_on_nothing_that_is_not_geometry(
+    imports: Imports,
+) -> None:
     below = {f"labutils.{name}" for name in (*ON_NUMPY_ALONE, "_constants", "_guards")}
     for name in ON_NUMPY_ALONE:
         assert find_all_below(imports, f"labutils.{name}") <= below
@@ -134,12 +142,16 @@ def test_geometry_stands_on_nothing_that_is_not_geometry(imports):
         "def f():\n    from a import one, three",
     ],
 )
-def test_a_circle_is_found_and_named_wherever_the_import_stands(import_scratch, hidden):
+def test_a_circle_is_found_and_named_wherever_the_import_stands(
+    import_scratch: Callable[[dict[str, str]], Imports], hidden: str
+) -> None:
     imports = import_scratch({"__init__": "", "one": "import a.two", "two": hidden})
     assert find_circle(imports) == ["a.one", "a.two", "a.one"]
 
 
-def test_a_circle_through_a_package_is_found(import_scratch):
+def test_a_circle_through_a_package_is_found(
+    import_scratch: Callable[[dict[str, str]], Imports],
+) -> None:
     texts = {
         "__init__": "",
         "one": "from a.sub.deep import x",
@@ -151,14 +163,16 @@ def test_a_circle_through_a_package_is_found(import_scratch):
     assert find_circle(imports) == ["a.one", "a.sub", "a.sub.other", "a.one"]
 
 
-def test_neighbors_in_a_package_make_no_circle_with_it(import_scratch):
+def test_neighbors_in_a_package_make_no_circle_with_it(
+    import_scratch: Callable[[dict[str, str]], Imports],
+) -> None:
     imports = import_scratch(
         {"__init__": "from a.one import x", "one": "from a.two import x", "two": "import os"}
     )
     assert find_circle(imports) == []
 
 
-def test_geometry_runs_where_only_numpy_exists():
+def test_geometry_runs_where_only_numpy_exists() -> None:
     lines = [
         "import sys",
         "for name in ('cv2', 'mujoco', 'matplotlib', 'open3d', 'tqdm', 'anywidget'):",
@@ -181,14 +195,14 @@ def test_geometry_runs_where_only_numpy_exists():
     assert done.stdout.splitlines() == ["[0.0, 0.0, 2.0]", "12.5 [True, False]"], done.stderr
 
 
-def test_a_camera_is_read_by_attribute_from_whatever_has_them():
+def test_a_camera_is_read_by_attribute_from_whatever_has_them() -> None:
     """No MuJoCo: a model that was stored, or one that a browser holds."""
     import numpy as np  # noqa: PLC0415 - beside its only use
 
     from labutils.cameras import get_camera_intrinsics, get_camera_pose  # noqa: PLC0415
 
     class Camera:
-        def __init__(self, number, name):
+        def __init__(self, number: int, name: str) -> None:
             self.id, self.name = number, name
 
     class Model:
@@ -197,7 +211,7 @@ def test_a_camera_is_read_by_attribute_from_whatever_has_them():
         cam_sensorsize = np.zeros((1, 2))
         cam_fovy = np.array([90.0])
 
-        def camera(self, key):
+        def camera(self, key: int | str) -> Camera:
             return {0: Camera(0, "eye"), "eye": Camera(0, "eye")}[key]
 
     class Data:
@@ -212,7 +226,7 @@ def test_a_camera_is_read_by_attribute_from_whatever_has_them():
         get_camera_intrinsics(Model(), "nose", 640, 480)
 
 
-def test_every_module_of_the_lab_sheet_still_has_its_functions():
+def test_every_module_of_the_lab_sheet_still_has_its_functions() -> None:
     from labutils import (  # noqa: PLC0415 - read as a reader would write it
         camera_utils,
         color_segmentation,

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import labutils as lab  # isort: skip - chooses the OpenGL backend, so before MuJoCo
 
+from collections.abc import Callable
+
 import cv2
 import numpy as np
 import pytest
@@ -35,18 +37,20 @@ def rng() -> np.random.Generator:
 
 
 @pytest.fixture
-def rgb(rng) -> np.ndarray:
+def rgb(rng: np.random.Generator) -> np.ndarray:
     """Noise, so that no channel and no axis equals another; odd sizes."""
     return rng.integers(0, 256, (9, 13, 3), dtype=np.uint8)
 
 
 @pytest.fixture
-def cloud(rng) -> tuple[np.ndarray, np.ndarray]:
+def cloud(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     return rng.normal(size=(17, 3)).astype(np.float32), rng.random((17, 3)).astype(np.float32)
 
 
 def read_rgb(path: Path) -> np.ndarray:
-    return cv2.cvtColor(cv2.imread(str(path), cv2.IMREAD_UNCHANGED), cv2.COLOR_BGR2RGB)
+    bgr = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    assert bgr is not None
+    return cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)
 
 
 def read_ply(path: Path) -> np.ndarray:
@@ -66,23 +70,24 @@ def run_lab(folder: Path, *arguments: str, **variables: str) -> subprocess.Compl
 # --- one function per file ---
 
 
-def test_rgb_view_shows_the_same_colors(tmp_path, rgb):
+def test_rgb_view_shows_the_same_colors(tmp_path: Path, rgb: np.ndarray) -> None:
     path = lab.save_rgb_view(tmp_path, rgb)
     assert path == tmp_path / "rgb_view.png"
     np.testing.assert_array_equal(read_rgb(path), rgb)
 
 
-def test_depth_view_is_the_colored_depth(tmp_path, rng):
+def test_depth_view_is_the_colored_depth(tmp_path: Path, rng: np.random.Generator) -> None:
     depth = rng.uniform(0.5, 6.0, (9, 13)).astype(np.float32)
     depth[0, 0] = np.nan
     path = lab.save_depth_view(tmp_path, depth, max_depth=4.0)
     assert path == tmp_path / "depth_view.png"
     picture = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
+    assert picture is not None
     np.testing.assert_array_equal(picture, lab.visualize_depth(depth, max_depth=4.0))
     assert not picture[0, 0].any()
 
 
-def test_depth_view_is_blue_close_and_red_far(tmp_path):
+def test_depth_view_is_blue_close_and_red_far(tmp_path: Path) -> None:
     depth = np.full((2, 2), 0.6)
     depth[:, 1] = 4.5
     near, far = read_rgb(lab.save_depth_view(tmp_path, depth))[0].astype(int)
@@ -90,7 +95,7 @@ def test_depth_view_is_blue_close_and_red_far(tmp_path):
     assert far[0] > far[2]
 
 
-def test_detection_result_is_the_drawn_detection(tmp_path, rgb):
+def test_detection_result_is_the_drawn_detection(tmp_path: Path, rgb: np.ndarray) -> None:
     mask = np.zeros(rgb.shape[:2], np.uint8)
     mask[2:6, 3:9] = 255
     path = lab.save_detection_result(tmp_path, rgb, (5, 4), mask)
@@ -98,11 +103,15 @@ def test_detection_result_is_the_drawn_detection(tmp_path, rgb):
     np.testing.assert_array_equal(read_rgb(path), lab.visualize_detection(rgb, (5, 4), mask))
 
 
-def test_detection_result_without_a_detection_is_the_picture(tmp_path, rgb):
+def test_detection_result_without_a_detection_is_the_picture(
+    tmp_path: Path, rgb: np.ndarray
+) -> None:
     np.testing.assert_array_equal(read_rgb(lab.save_detection_result(tmp_path, rgb, None)), rgb)
 
 
-def test_scene_pointcloud_keeps_points_and_colors(tmp_path, cloud):
+def test_scene_pointcloud_keeps_points_and_colors(
+    tmp_path: Path, cloud: tuple[np.ndarray, np.ndarray]
+) -> None:
     points, colors = cloud
     path = lab.save_scene_pointcloud(tmp_path, points, colors)
     assert path == tmp_path / "scene_pointcloud.ply"
@@ -112,7 +121,9 @@ def test_scene_pointcloud_keeps_points_and_colors(tmp_path, cloud):
     np.testing.assert_array_equal(stored, np.round(colors * 255))
 
 
-def test_pointcloud_xyz_is_what_savetxt_writes(tmp_path, cloud):
+def test_pointcloud_xyz_is_what_savetxt_writes(
+    tmp_path: Path, cloud: tuple[np.ndarray, np.ndarray]
+) -> None:
     points, _ = cloud
     path = lab.save_pointcloud_xyz(tmp_path, points)
     assert path == tmp_path / "pointcloud.xyz"
@@ -122,7 +133,7 @@ def test_pointcloud_xyz_is_what_savetxt_writes(tmp_path, cloud):
     np.testing.assert_allclose(np.loadtxt(path), points, rtol=0, atol=0.5001e-4)
 
 
-def test_an_empty_cloud_makes_readable_files(tmp_path):
+def test_an_empty_cloud_makes_readable_files(tmp_path: Path) -> None:
     nothing = np.empty((0, 3), np.float32)
     assert len(read_ply(lab.save_scene_pointcloud(tmp_path, nothing, nothing))) == 0
     assert lab.save_pointcloud_xyz(tmp_path, nothing).read_bytes() == b""
@@ -149,7 +160,9 @@ def test_an_empty_cloud_makes_readable_files(tmp_path):
         (lambda at: lab.save_pointcloud_xyz(at, np.zeros(3)), r"points: expected shape \(N"),
     ],
 )
-def test_bad_input_leaves_no_file_behind(tmp_path, save, message):
+def test_bad_input_leaves_no_file_behind(
+    tmp_path: Path, save: Callable[[Path], Path], message: str
+) -> None:
     with pytest.raises((TypeError, ValueError), match=message):
         save(tmp_path)
     assert list(tmp_path.iterdir()) == []
@@ -158,13 +171,13 @@ def test_bad_input_leaves_no_file_behind(tmp_path, save, message):
 # --- all at once ---
 
 
-def test_save_outputs_writes_the_five_files_in_order(tmp_path):
+def test_save_outputs_writes_the_five_files_in_order(tmp_path: Path) -> None:
     paths = lab.save_outputs(tmp_path / "new" / "folder", width=WIDTH, height=HEIGHT)
     assert [path.name for path in paths] == FIVE_FILES
     assert sorted(p.name for p in (tmp_path / "new" / "folder").iterdir()) == sorted(FIVE_FILES)
 
 
-def test_save_outputs_saves_what_the_camera_sees(tmp_path):
+def test_save_outputs_saves_what_the_camera_sees(tmp_path: Path) -> None:
     rgb_path, depth_path, _, ply_path, xyz_path = lab.save_outputs(tmp_path, width=64, height=48)
     model, data = lab.make_scene()
     with lab.make_renderer(model, HEIGHT, WIDTH) as renderer:
@@ -178,14 +191,16 @@ def test_save_outputs_saves_what_the_camera_sees(tmp_path):
     np.testing.assert_allclose(np.loadtxt(xyz_path), points, rtol=0, atol=0.5001e-4)
 
 
-def test_save_outputs_names_the_cameras_there_are(tmp_path):
+def test_save_outputs_names_the_cameras_there_are(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"camera_name: expected one of .*head_camera.*'nose'"):
         lab.save_outputs(tmp_path, "nose", width=WIDTH, height=HEIGHT)
     assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.filterwarnings("default")  # Open3D's own imports warn
-def test_open3d_reads_the_point_cloud_back(tmp_path, cloud):
+def test_open3d_reads_the_point_cloud_back(
+    tmp_path: Path, cloud: tuple[np.ndarray, np.ndarray]
+) -> None:
     o3d = pytest.importorskip("open3d")
 
     points, colors = cloud
@@ -198,14 +213,14 @@ def test_open3d_reads_the_point_cloud_back(tmp_path, cloud):
 # --- from a shell ---
 
 
-def test_the_command_writes_the_files_and_says_where(tmp_path):
+def test_the_command_writes_the_files_and_says_where(tmp_path: Path) -> None:
     run = run_lab(tmp_path / "out", *SIZE)
     assert run.returncode == 0, run.stderr
     assert [Path(line.split("  ")[0]).name for line in run.stdout.splitlines()] == FIVE_FILES
     assert all((tmp_path / "out" / name).stat().st_size for name in FIVE_FILES)
 
 
-def test_the_command_reports_a_wrong_camera_in_one_line(tmp_path):
+def test_the_command_reports_a_wrong_camera_in_one_line(tmp_path: Path) -> None:
     run = run_lab(tmp_path, "--camera", "nose", *SIZE)
     assert run.returncode == 1
     complaints = [line for line in run.stderr.splitlines() if line.startswith("labutils: ")]
@@ -215,7 +230,7 @@ def test_the_command_reports_a_wrong_camera_in_one_line(tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_without_opengl_all_files_come_with_one_notice_and_exact_depth(tmp_path):
+def test_without_opengl_all_files_come_with_one_notice_and_exact_depth(tmp_path: Path) -> None:
     run = run_lab(tmp_path, *SIZE, MUJOCO_GL="disable")
     assert run.returncode == 0, run.stderr
     assert sorted(p.name for p in tmp_path.iterdir()) == sorted(FIVE_FILES)

@@ -35,27 +35,27 @@ SIGNATURES = {
 
 
 @pytest.mark.parametrize("name", labutils.__all__)
-def test_every_public_name_exists(name):
+def test_every_public_name_exists(name: str) -> None:
     assert getattr(labutils, name) is not None
 
 
-def test_an_unknown_name_is_refused_as_usual():
+def test_an_unknown_name_is_refused_as_usual() -> None:
     with pytest.raises(AttributeError, match="module 'labutils' has no attribute 'rendr'"):
         _ = labutils.rendr
 
 
-def test_dir_lists_the_public_names():
+def test_dir_lists_the_public_names() -> None:
     assert dir(labutils) == sorted(labutils.__all__)
 
 
 @pytest.mark.parametrize("name", SIGNATURES)
-def test_lab_functions_keep_their_arguments(name):
+def test_lab_functions_keep_their_arguments(name: str) -> None:
     parameters = ", ".join(inspect.signature(getattr(labutils, name)).parameters)
     assert parameters == SIGNATURES[name]
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_public_docstrings_name_every_parameter_and_what_is_returned(name):
+def test_public_docstrings_name_every_parameter_and_what_is_returned(name: str) -> None:
     function = getattr(labutils, name)
     text = read_statement(name)
     for parameter in inspect.signature(function).parameters:
@@ -63,9 +63,10 @@ def test_public_docstrings_name_every_parameter_and_what_is_returned(name):
     assert "Returns\n---" in text or re.search(r"\breturns\b", text)
 
 
-def read_statement(name):
+def read_statement(name: str) -> str:
     """Read a docstring, and those of the functions it points to for the rest of the statement."""
     text = inspect.getdoc(getattr(labutils, name))
+    assert text is not None, name
     for owner in re.findall(r"\b[Aa]s in `(\w+)`", text):
         assert owner in labutils.__all__, f"{name}: points to {owner}, which nobody can find"
         if owner != name:
@@ -73,8 +74,8 @@ def read_statement(name):
     return text
 
 
-def test_a_docstring_that_points_nowhere_is_found(monkeypatch):
-    def save(thing):
+def test_a_docstring_that_points_nowhere_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    def save(thing: object) -> None:
         """Save; parameters as in `nothing`."""
 
     monkeypatch.setattr(labutils, "save_outputs", save)
@@ -83,23 +84,23 @@ def test_a_docstring_that_points_nowhere_is_found(monkeypatch):
 
 
 @pytest.mark.parametrize("module", MODULES)
-def test_examples_in_docstrings_are_true(module):
+def test_examples_in_docstrings_are_true(module: str) -> None:
     result = doctest.testmod(importlib.import_module(f"labutils.{module}"))
     assert result.failed == 0
 
 
-def test_the_docstrings_have_examples_at_all():
+def test_the_docstrings_have_examples_at_all() -> None:
     finder = doctest.DocTestFinder()
     modules = [importlib.import_module(f"labutils.{name}") for name in MODULES]
     assert sum(bool(t.examples) for m in modules for t in finder.find(m)) >= 3
 
 
 @pytest.mark.parametrize("path", sorted(ROOT.glob("labutils/**/*.py")), ids=lambda p: p.name)
-def test_modules_stay_small(path):
+def test_modules_stay_small(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= 300
 
 
-def test_importing_the_library_is_light_and_needs_no_mujoco():
+def test_importing_the_library_is_light_and_needs_no_mujoco() -> None:
     # The browser has NumPy and OpenCV, and nothing else.
     code = """
 import sys

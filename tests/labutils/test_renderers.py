@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Callable
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -18,13 +20,13 @@ METHODS = [name for name, one in vars(Renderer).items() if inspect.isfunction(on
 METHODS = [name for name in METHODS if not name.startswith("__") and "subclass" not in name]
 
 
-def test_the_protocol_asks_for_what_pages_use():
+def test_the_protocol_asks_for_what_pages_use() -> None:
     assert {"update_scene", "render", "close", "enable_depth_rendering"} <= set(METHODS)
 
 
 @pytest.mark.parametrize("kind", [mujoco.Renderer, rays.RaycastRenderer])
 @pytest.mark.parametrize("name", METHODS)
-def test_a_renderer_takes_the_arguments_of_the_protocol(kind, name):
+def test_a_renderer_takes_the_arguments_of_the_protocol(kind: type, name: str) -> None:
     asked = inspect.signature(getattr(Renderer, name)).parameters
     given = inspect.signature(getattr(kind, name)).parameters
     positional = [one for one in given.values() if one.kind is not one.KEYWORD_ONLY]
@@ -33,26 +35,30 @@ def test_a_renderer_takes_the_arguments_of_the_protocol(kind, name):
 
 
 @pytest.mark.parametrize("make", [make_renderer, rays.RaycastRenderer])
-def test_a_renderer_is_one_of_the_protocol_and_says_its_size(scene, make):
+def test_a_renderer_is_one_of_the_protocol_and_says_its_size(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Renderer]
+) -> None:
     with make(scene[0], 24, 33) as renderer:
         assert isinstance(renderer, Renderer)
         assert (renderer.height, renderer.width) == (24, 33)
 
 
-def test_what_lacks_a_method_is_no_renderer():
+def test_what_lacks_a_method_is_no_renderer() -> None:
     assert not isinstance(object(), Renderer)
 
 
-def test_the_truth_hands_out_the_renderer_of_the_rays():
+def test_the_truth_hands_out_the_renderer_of_the_rays() -> None:
     assert truth.RaycastRenderer is rays.RaycastRenderer
 
 
-def test_opengl_is_told_from_rays(scene):
+def test_opengl_is_told_from_rays(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     with rays.RaycastRenderer(scene[0], 8, 8) as renderer:
         assert not opengl.is_used_by(renderer)
 
 
-def test_raw_depth_of_rays_is_exact_and_leaves_color_mode(scene):
+def test_raw_depth_of_rays_is_exact_and_leaves_color_mode(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with rays.RaycastRenderer(model, 24, 32) as renderer:
         _, depth = render_camera(model, data, renderer, "head_camera")
@@ -62,14 +68,16 @@ def test_raw_depth_of_rays_is_exact_and_leaves_color_mode(scene):
     assert_array_equal(raw, expected)
 
 
-def test_any_renderer_of_the_protocol_has_a_raw_depth(scene):
+def test_any_renderer_of_the_protocol_has_a_raw_depth(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     """A renderer nobody has written yet: neither MuJoCo's nor ours."""
 
     class Delegate:
-        def __init__(self, inner):
+        def __init__(self, inner: Renderer) -> None:
             self._inner = inner
 
-        def __getattr__(self, name):
+        def __getattr__(self, name: str) -> Any:
             return getattr(self._inner, name)
 
     model, data = scene

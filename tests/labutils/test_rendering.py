@@ -6,6 +6,8 @@ import os
 import subprocess
 import sys
 import warnings
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -14,10 +16,11 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import NoOpenGLWarning, make_renderer, render_camera, render_segmentation, rendering
 from labutils.raycast import RaycastRenderer
+from labutils.renderers.protocol import Renderer
 
 
 @pytest.fixture
-def _no_gl(monkeypatch):
+def _no_gl(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """A machine where OpenGL cannot draw."""
     rendering._find_gl_problem.cache_clear()
     rendering._warn_once.cache_clear()
@@ -40,16 +43,20 @@ def run_python(code: str, **environment: str) -> subprocess.CompletedProcess[str
     )
 
 
-def test_render_camera_returns_color_bytes_and_metric_depth(scene):
+def test_render_camera_returns_color_bytes_and_metric_depth(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 121, 161) as renderer:
         rgb, depth = render_camera(model, data, renderer, "head_camera")
-    assert (rgb.shape, rgb.dtype) == ((121, 161, 3), np.uint8)
-    assert (depth.shape, depth.dtype) == ((121, 161), np.float32)
+    assert (rgb.shape, rgb.dtype) == ((121, 161, 3), np.uint8)  # type: ignore[comparison-overlap]  # a dtype equals its type
+    assert (depth.shape, depth.dtype) == ((121, 161), np.float32)  # type: ignore[comparison-overlap]  # a dtype equals its type
     assert 0.4 < depth.min() < 1.0
 
 
-def test_render_camera_leaves_the_renderer_in_color_mode(scene):
+def test_render_camera_leaves_the_renderer_in_color_mode(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 30, 40) as renderer:
         renderer.enable_depth_rendering()
@@ -59,7 +66,9 @@ def test_render_camera_leaves_the_renderer_in_color_mode(scene):
         assert renderer.render().dtype == np.uint8
 
 
-def test_render_camera_shows_the_current_qpos_without_mj_forward(scene):
+def test_render_camera_shows_the_current_qpos_without_mj_forward(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 48, 64) as renderer:
         _, before = render_camera(model, data, renderer, "head_camera")
@@ -71,7 +80,9 @@ def test_render_camera_shows_the_current_qpos_without_mj_forward(scene):
     assert_array_equal(turned, forwarded)
 
 
-def test_render_camera_shows_a_moved_mocap_body(scene):
+def test_render_camera_shows_a_moved_mocap_body(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 48, 64) as renderer:
         before = render_segmentation(model, data, renderer, "head_camera")
@@ -81,7 +92,7 @@ def test_render_camera_shows_a_moved_mocap_body(scene):
     assert np.argwhere(before == ball).mean(axis=0)[1] < np.argwhere(after == ball).mean(axis=0)[1]
 
 
-def test_render_camera_changes_no_state(scene):
+def test_render_camera_changes_no_state(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     size = mujoco.mj_stateSize(model, mujoco.mjtState.mjSTATE_INTEGRATION)
     before, after = np.empty(size), np.empty(size)
@@ -93,7 +104,9 @@ def test_render_camera_changes_no_state(scene):
 
 
 @pytest.mark.parametrize("function", [render_camera, render_segmentation])
-def test_an_unknown_camera_is_named_with_the_known_ones(scene, function):
+def test_an_unknown_camera_is_named_with_the_known_ones(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], function: Callable[..., Any]
+) -> None:
     model, data = scene
     with (
         make_renderer(model, 24, 32) as renderer,
@@ -110,13 +123,21 @@ def test_an_unknown_camera_is_named_with_the_known_ones(scene, function):
         (True, 64, TypeError, "height: expected a whole number"),
     ],
 )
-def test_a_size_that_is_none_is_refused(scene, height, width, error, words):
+def test_a_size_that_is_none_is_refused(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+    height: Any,
+    width: Any,
+    error: type[Exception],
+    words: str,
+) -> None:
     with pytest.raises(error, match=words):
         make_renderer(scene[0], height, width)
 
 
 @pytest.mark.usefixtures("_no_gl")
-def test_without_opengl_the_ray_caster_takes_over_and_says_so_once(scene):
+def test_without_opengl_the_ray_caster_takes_over_and_says_so_once(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with pytest.warns(
         NoOpenGLWarning, match=r"MUJOCO_GL switches OpenGL off.*exact.*To get"
@@ -132,7 +153,9 @@ def test_without_opengl_the_ray_caster_takes_over_and_says_so_once(scene):
     assert 0.4 < depth.min() < depth.max() <= 12.0
 
 
-def test_the_ray_caster_draws_what_opengl_draws(scene):
+def test_the_ray_caster_draws_what_opengl_draws(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     frames = []
     for renderer in (make_renderer(model, 120, 160), RaycastRenderer(model, 120, 160)):
@@ -149,7 +172,9 @@ def test_the_ray_caster_draws_what_opengl_draws(scene):
     assert_allclose(ray_depth[ray_labels < 0], 12.0, rtol=1e-6)
 
 
-def test_the_ray_caster_refuses_what_it_cannot_do(scene):
+def test_the_ray_caster_refuses_what_it_cannot_do(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     renderer = RaycastRenderer(model, 24, 32)
     with pytest.raises(RuntimeError, match="expected a call of update_scene first"):
@@ -162,7 +187,9 @@ def test_the_ray_caster_refuses_what_it_cannot_do(scene):
         RaycastRenderer(model, 24, 100_000)
 
 
-def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(scene):
+def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with RaycastRenderer(model, 24, 32) as renderer:
         renderer.update_scene(data, camera=model.camera("overview").id)
@@ -172,7 +199,9 @@ def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(scene):
 
 
 @pytest.mark.parametrize("make", [make_renderer, RaycastRenderer])
-def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(scene, make):
+def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Renderer]
+) -> None:
     model, _ = scene
     with make(model, 24, 32) as renderer:
         renderer.update_scene(mujoco.MjData(model), camera="head_camera")
@@ -181,7 +210,7 @@ def test_a_state_that_was_never_forwarded_shows_nothing_but_the_far_plane(scene,
         assert_allclose(renderer.render(), 12.0, rtol=1e-4)
 
 
-def test_an_empty_model_is_all_sky_for_the_ray_caster():
+def test_an_empty_model_is_all_sky_for_the_ray_caster() -> None:
     model = mujoco.MjModel.from_xml_string(
         "<mujoco><worldbody><camera name='c'/></worldbody></mujoco>"
     )
@@ -192,7 +221,7 @@ def test_an_empty_model_is_all_sky_for_the_ray_caster():
     assert np.ptp(renderer.render().reshape(-1, 3), axis=0).max() == 0
 
 
-def test_headless_linux_chooses_egl_and_a_users_choice_wins():
+def test_headless_linux_chooses_egl_and_a_users_choice_wins() -> None:
     code = "import labutils, os; print(os.environ.get('MUJOCO_GL'))"
     if sys.platform.startswith("linux"):
         expected = "disable" if rendering._find_missing_libraries() else "egl"
@@ -204,7 +233,7 @@ def test_headless_linux_chooses_egl_and_a_users_choice_wins():
     not sys.platform.startswith("linux") or bool(rendering._find_missing_libraries()),
     reason="only EGL, on Linux, draws without a screen",
 )
-def test_mujoco_may_be_imported_before_the_library():
+def test_mujoco_may_be_imported_before_the_library() -> None:
     # MuJoCo alone would settle for GLFW, which needs a screen.
     code = """
 import mujoco
@@ -222,7 +251,9 @@ print(type(renderer).__module__, render_raw_depth(model, data, renderer, 'head_c
     ("gone", "named"), [("EGL", "libEGL.so.1"), ("OpenGL GLESv2", "libOpenGL.so.0")]
 )
 @pytest.mark.parametrize("first", ["import mujoco", ""])
-def test_without_its_libraries_mujoco_still_imports_and_draws_with_rays(gone, named, first):
+def test_without_its_libraries_mujoco_still_imports_and_draws_with_rays(
+    gone: str, named: str, first: str
+) -> None:
     code = f"""
 import ctypes.util
 find = ctypes.util.find_library
@@ -237,7 +268,7 @@ print(type(make_renderer(model, 24, 32)).__name__)
     assert f"not installed: {named}" in done.stderr
 
 
-def test_a_driver_that_fails_hands_over_with_its_own_words():
+def test_a_driver_that_fails_hands_over_with_its_own_words() -> None:
     code = """
 import labutils, mujoco
 class Broken:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import cv2
 import mujoco
 import numpy as np
@@ -34,7 +37,7 @@ OBJECTS = {
 
 
 @pytest.fixture(scope="module")
-def view():
+def view() -> tuple[mujoco.MjModel, np.ndarray, np.ndarray]:
     """Color and labels of the head camera at home."""
     model, data = make_scene()
     with make_renderer(model, 480, 640) as renderer:
@@ -43,25 +46,31 @@ def view():
     return model, rgb, labels
 
 
-def test_head_camera_has_the_focal_length_the_lab_expects(scene):
+def test_head_camera_has_the_focal_length_the_lab_expects(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     K, fov_y = get_camera_intrinsics(scene[0], "head_camera", 640, 480)
     assert 500 < K[0, 0] < 800
     assert_allclose(np.rad2deg(fov_y), 45, rtol=0, atol=1e-9)
 
 
-def test_clip_planes_are_scaled_by_the_extent(scene):
+def test_clip_planes_are_scaled_by_the_extent(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     # Without the factor they would read 0.01 and 6 m.
     assert get_clip_planes(scene[0]) == (0.02, 12.0)
 
 
 @pytest.mark.parametrize("name", OBJECTS)
-def test_every_object_is_in_the_picture(view, name):
+def test_every_object_is_in_the_picture(
+    view: tuple[mujoco.MjModel, np.ndarray, np.ndarray], name: str
+) -> None:
     model, _, labels = view
     assert (labels == model.body(name).id).sum() > 1500
 
 
 @pytest.mark.parametrize("color", sorted(set(OBJECTS.values())))
-def test_every_color_range_finds_its_objects_and_little_else(view, color):
+def test_every_color_range_finds_its_objects_and_little_else(
+    view: tuple[mujoco.MjModel, np.ndarray, np.ndarray], color: str
+) -> None:
     model, rgb, labels = view
     mask = segment_by_color(rgb, HSV_RANGES[color]) > 0
     truth = np.isin(labels, [model.body(n).id for n, c in OBJECTS.items() if c == color])
@@ -70,7 +79,9 @@ def test_every_color_range_finds_its_objects_and_little_else(view, color):
     assert overlap > 0.9
 
 
-def test_the_two_reds_lie_on_both_sides_of_the_hue_seam(view):
+def test_the_two_reds_lie_on_both_sides_of_the_hue_seam(
+    view: tuple[mujoco.MjModel, np.ndarray, np.ndarray],
+) -> None:
     model, rgb, labels = view
     low = segment_by_color(rgb, ((0, 100, 50), (10, 255, 255))) > 0
     high = segment_by_color(rgb, ((170, 100, 50), (179, 255, 255))) > 0
@@ -82,7 +93,7 @@ def test_the_two_reds_lie_on_both_sides_of_the_hue_seam(view):
 
 
 @pytest.fixture(scope="module")
-def shadow(view):
+def shadow(view: tuple[mujoco.MjModel, np.ndarray, np.ndarray]) -> np.ndarray:
     """What the head camera sees in shadow on the table: there the light dims the picture."""
     if not is_gl_available():
         pytest.skip("the ray caster draws no shadows")
@@ -96,20 +107,24 @@ def shadow(view):
     return (gray_lit - gray > 50) & (labels == model.body("table").id)
 
 
-def get_rim(labels, body):
+def get_rim(labels: np.ndarray, body: Any) -> np.ndarray:
     """Return the pixels of a body and those up to three pixels beside it."""
     return cv2.dilate((labels == body.id).astype(np.uint8), np.ones((7, 7))) > 0
 
 
 # The shadow of the bottle falls behind the block.
 @pytest.mark.parametrize("name", sorted(OBJECTS.keys() - {"blue_bottle"}))
-def test_every_object_darkens_the_table_right_beside_it(view, shadow, name):
+def test_every_object_darkens_the_table_right_beside_it(
+    view: tuple[mujoco.MjModel, np.ndarray, np.ndarray], shadow: np.ndarray, name: str
+) -> None:
     model, _, labels = view
     # An object without this dark seam seems to float.
     assert (get_rim(labels, model.body(name)) & shadow).sum() > 50
 
 
-def test_the_edge_of_a_shadow_is_as_sharp_as_the_picture(view, shadow):
+def test_the_edge_of_a_shadow_is_as_sharp_as_the_picture(
+    view: tuple[mujoco.MjModel, np.ndarray, np.ndarray], shadow: np.ndarray
+) -> None:
     model, _, labels = view
     _, parts = cv2.connectedComponents(shadow.astype(np.uint8))
     touching = np.bincount(parts[get_rim(labels, model.body("red_box")) & shadow])
@@ -124,7 +139,9 @@ def test_the_edge_of_a_shadow_is_as_sharp_as_the_picture(view, shadow):
     assert np.abs(right[edge] - line).max() < 1
 
 
-def test_the_shadow_map_is_small_and_spans_all_that_casts_a_shadow(scene):
+def test_the_shadow_map_is_small_and_spans_all_that_casts_a_shadow(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     # Without a graphics card, filling a map of 4096 took longer than drawing the picture.
     assert model.vis.quality.shadowsize <= 2048
@@ -137,13 +154,15 @@ def test_the_shadow_map_is_small_and_spans_all_that_casts_a_shadow(scene):
     assert aside.max() < model.vis.map.shadowclip * model.stat.extent
 
 
-def test_the_robot_casts_a_shadow_from_head_to_sole(scene):
+def test_the_robot_casts_a_shadow_from_head_to_sole(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, _ = scene
     for name in ("head", "chest", "left_sole", "right_sole"):
         assert model.geom(name).castshadow, name
 
 
-def test_the_bottle_is_partly_hidden(scene):
+def test_the_bottle_is_partly_hidden(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     bottle, block = model.body("blue_bottle").id, model.body("yellow_block")
     with make_renderer(model, 480, 640) as renderer:
@@ -153,7 +172,7 @@ def test_the_bottle_is_partly_hidden(scene):
     assert 0.3 < 1 - visible / whole < 0.7
 
 
-def test_the_pose_holds_itself_under_gravity(scene):
+def test_the_pose_holds_itself_under_gravity(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     start = data.qpos.copy()
     for _ in range(int(2 / model.opt.timestep)):
@@ -161,7 +180,9 @@ def test_the_pose_holds_itself_under_gravity(scene):
     assert np.rad2deg(np.abs(data.qpos - start)).max() < 0.5
 
 
-def test_the_neck_goes_where_its_actuators_are_told(scene):
+def test_the_neck_goes_where_its_actuators_are_told(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     for name, target in (("neck_pan", 0.3), ("neck_tilt", 0.2)):
         data.actuator(name).ctrl = target
@@ -171,7 +192,7 @@ def test_the_neck_goes_where_its_actuators_are_told(scene):
     assert_allclose(data.joint("neck_tilt").qpos[0], 0.2, rtol=0, atol=0.01)
 
 
-def test_positive_tilt_looks_down(scene):
+def test_positive_tilt_looks_down(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:
     model, data = scene
     camera = model.camera("head_camera").id
     before = data.cam_xmat[camera].reshape(3, 3)[2, 2]
@@ -181,7 +202,9 @@ def test_positive_tilt_looks_down(scene):
     assert data.cam_xmat[camera].reshape(3, 3)[2, 2] > before
 
 
-def test_the_imu_at_rest_reads_gravity_and_no_rotation(scene):
+def test_the_imu_at_rest_reads_gravity_and_no_rotation(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     for _ in range(500):
         mujoco.mj_step(model, data)
@@ -193,12 +216,14 @@ def test_the_imu_at_rest_reads_gravity_and_no_rotation(scene):
     assert_allclose(up, [0, 0, 9.81], rtol=0, atol=0.05)
 
 
-def test_an_unknown_keyframe_is_named_with_the_known_ones():
+def test_an_unknown_keyframe_is_named_with_the_known_ones() -> None:
     with pytest.raises(ValueError, match=r"keyframe: expected one of home.*, got 'sleep'"):
         make_scene("sleep")
 
 
-def test_a_missing_scene_file_says_where_it_should_be(monkeypatch, tmp_path):
+def test_a_missing_scene_file_says_where_it_should_be(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr("labutils.scene.SCENE_PATH", tmp_path / SCENE_PATH.name)
     with pytest.raises(FileNotFoundError, match="in the folder assets/ beside labutils/"):
         make_scene()

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
@@ -24,11 +27,13 @@ BASELINE = 0.064
 
 
 @pytest.fixture
-def depths():
+def depths() -> np.ndarray:
     return np.random.default_rng(4).uniform(0.2, 9.0, (6, 7))
 
 
-def test_disparity_is_the_distance_between_the_two_projections(K, depths):
+def test_disparity_is_the_distance_between_the_two_projections(
+    K: np.ndarray, depths: np.ndarray
+) -> None:
     # The rival, fy, would give 180/210 of it; cx cancels out.
     x, y = np.random.default_rng(5).uniform(-1, 1, (2, depths.size))
     points = np.stack([x, y, depths.ravel()], axis=1)
@@ -38,21 +43,23 @@ def test_disparity_is_the_distance_between_the_two_projections(K, depths):
     assert_allclose(left - right, np.stack([disparity, 0 * disparity], axis=1), atol=1e-9)
 
 
-def test_depth_comes_back_from_its_disparity(K, depths):
+def test_depth_comes_back_from_its_disparity(K: np.ndarray, depths: np.ndarray) -> None:
     for baseline in (0.01, 0.064, 3.0):
         disparity = depth_to_disparity(depths, K, baseline)
         assert disparity.shape == depths.shape
         assert_allclose(disparity_to_depth(disparity, K, baseline), depths, rtol=EXACT)
 
 
-def test_what_no_point_in_front_has_is_nan_and_infinity_is_kept(K):
+def test_what_no_point_in_front_has_is_nan_and_infinity_is_kept(K: np.ndarray) -> None:
     depth = [np.nan, 0.0, -1.0, np.inf]
-    assert_array_equal(depth_to_disparity(depth, K, BASELINE), [np.nan, np.nan, np.nan, 0.0])
+    assert_array_equal(depth_to_disparity(depth, K, BASELINE), [np.nan, np.nan, np.nan, 0.0])  # type: ignore[arg-type]  # array-like
     disparity = [np.nan, -0.5, 0.0, -0.0]
-    assert_array_equal(disparity_to_depth(disparity, K, BASELINE), [np.nan, np.nan, np.inf, np.inf])
+    assert_array_equal(disparity_to_depth(disparity, K, BASELINE), [np.nan, np.nan, np.inf, np.inf])  # type: ignore[arg-type]  # array-like
 
 
-def test_the_ends_of_the_interval_have_a_disparity_one_error_away(K, depths):
+def test_the_ends_of_the_interval_have_a_disparity_one_error_away(
+    K: np.ndarray, depths: np.ndarray
+) -> None:
     error = 2.0
     near, far = find_depth_interval(depths, error, K, BASELINE)
     disparity = depth_to_disparity(depths, K, BASELINE)
@@ -66,9 +73,9 @@ def test_the_ends_of_the_interval_have_a_disparity_one_error_away(K, depths):
     )
 
 
-def test_a_disparity_no_larger_than_its_error_has_no_far_end(K):
+def test_a_disparity_no_larger_than_its_error_has_no_far_end(K: np.ndarray) -> None:
     disparity = 2.0
-    depth = disparity_to_depth(disparity, K, BASELINE)
+    depth = disparity_to_depth(disparity, K, BASELINE)  # type: ignore[arg-type]  # array-like
     d = float(depth_to_disparity(depth, K, BASELINE))
     for error, bounded in ((np.nextafter(d, 0), True), (d, False), (d + 1, False)):
         near, far = find_depth_interval(depth, error, K, BASELINE)
@@ -77,14 +84,16 @@ def test_a_disparity_no_larger_than_its_error_has_no_far_end(K):
         assert bounded or np.isinf(find_depth_error(depth, error, K, BASELINE))
 
 
-def test_no_rounding_next_to_the_limit_makes_an_error_negative(K):
+def test_no_rounding_next_to_the_limit_makes_an_error_negative(K: np.ndarray) -> None:
     for depth in np.random.default_rng(8).uniform(0.3, 5, 300):
         d = depth_to_disparity(depth, K, BASELINE)
         for error in (np.nextafter(d, 0), np.nextafter(np.nextafter(d, 0), 0)):
             assert find_depth_error(depth, float(error), K, BASELINE) > 0
 
 
-def test_the_largest_error_is_the_far_end_minus_the_depth(K, depths):
+def test_the_largest_error_is_the_far_end_minus_the_depth(
+    K: np.ndarray, depths: np.ndarray
+) -> None:
     for error in (1e-3, 0.5, 1.4):
         near, far = find_depth_interval(depths, error, K, BASELINE)
         largest = find_depth_error(depths, error, K, BASELINE)
@@ -95,7 +104,9 @@ def test_the_largest_error_is_the_far_end_minus_the_depth(K, depths):
         assert (largest > depths - near).all()  # the far end is the farther off
 
 
-def test_the_linear_error_is_the_limit_for_small_errors_and_never_larger(K, depths):
+def test_the_linear_error_is_the_limit_for_small_errors_and_never_larger(
+    K: np.ndarray, depths: np.ndarray
+) -> None:
     for error, share in ((1e-6, 1e-5), (1e-3, 1e-2)):
         linear = find_linear_depth_error(depths, error, K, BASELINE)
         exact = find_depth_error(depths, error, K, BASELINE)
@@ -103,29 +114,31 @@ def test_the_linear_error_is_the_limit_for_small_errors_and_never_larger(K, dept
         assert_allclose(linear, exact, rtol=share)
 
 
-def test_the_linear_error_grows_with_the_square_of_the_depth_and_falls_with_the_baseline(K):
-    first = find_linear_depth_error(1.5, 0.5, K, BASELINE)
-    assert_allclose(find_linear_depth_error(3.0, 0.5, K, BASELINE), 4 * first, rtol=EXACT)
-    assert_allclose(find_linear_depth_error(1.5, 1.0, K, BASELINE), 2 * first, rtol=EXACT)
-    assert_allclose(find_linear_depth_error(1.5, 0.5, K, 2 * BASELINE), first / 2, rtol=EXACT)
+def test_the_linear_error_grows_with_the_square_of_the_depth_and_falls_with_the_baseline(
+    K: np.ndarray,
+) -> None:
+    first = find_linear_depth_error(1.5, 0.5, K, BASELINE)  # type: ignore[arg-type]  # array-like
+    assert_allclose(find_linear_depth_error(3.0, 0.5, K, BASELINE), 4 * first, rtol=EXACT)  # type: ignore[arg-type]  # array-like
+    assert_allclose(find_linear_depth_error(1.5, 1.0, K, BASELINE), 2 * first, rtol=EXACT)  # type: ignore[arg-type]  # array-like
+    assert_allclose(find_linear_depth_error(1.5, 0.5, K, 2 * BASELINE), first / 2, rtol=EXACT)  # type: ignore[arg-type]  # array-like
 
 
 @pytest.mark.parametrize("function", [find_depth_error, find_linear_depth_error])
-def test_errors_of_what_is_no_depth_are_nan(K, function):
+def test_errors_of_what_is_no_depth_are_nan(K: np.ndarray, function: Callable[..., Any]) -> None:
     assert np.isnan(function([np.nan, 0.0, -2.0], 0.5, K, BASELINE)).all()
 
 
-def test_the_interval_of_what_is_no_depth_is_nan(K):
-    for end in find_depth_interval([np.nan, 0.0, -2.0], 0.5, K, BASELINE):
+def test_the_interval_of_what_is_no_depth_is_nan(K: np.ndarray) -> None:
+    for end in find_depth_interval([np.nan, 0.0, -2.0], 0.5, K, BASELINE):  # type: ignore[arg-type]  # array-like
         assert np.isnan(end).all()
 
 
-def make_row(near, far, edge, width):
+def make_row(near: float, far: float, edge: int, width: int) -> np.ndarray:
     """Disparities of a near sheet from column `edge` on, before a far wall."""
     return np.where(np.arange(width) >= edge, near, far).astype(float)
 
 
-def test_a_near_sheet_hides_as_many_columns_of_the_wall_as_the_disparities_differ():
+def test_a_near_sheet_hides_as_many_columns_of_the_wall_as_the_disparities_differ() -> None:
     # The sheet (20 px) from column 60 on, the wall at 8 px: in the right picture the sheet starts
     # at column 40, where the wall's column 48 would be. So of the wall 48 to 59 are hidden: 20 - 8.
     row = make_row(20, 8, 60, 100)
@@ -135,7 +148,7 @@ def test_a_near_sheet_hides_as_many_columns_of_the_wall_as_the_disparities_diffe
     assert (states[60:] == SEEN).all()
 
 
-def test_a_sheet_that_is_hardly_nearer_hides_nothing():
+def test_a_sheet_that_is_hardly_nearer_hides_nothing() -> None:
     # One pixel of disparity may be a slope, or rounding: not yet another surface.
     row = make_row(9, 8, 60, 100)
     assert HIDDEN not in {find_right_state(u, row) for u in range(row.size)}
@@ -143,17 +156,17 @@ def test_a_sheet_that_is_hardly_nearer_hides_nothing():
     assert HIDDEN in {find_right_state(u, row) for u in range(row.size)}
 
 
-def test_the_edge_of_the_picture_lies_half_a_pixel_beyond_its_first_column():
+def test_the_edge_of_the_picture_lies_half_a_pixel_beyond_its_first_column() -> None:
     assert find_right_state(3, np.full(9, 3.5)) == SEEN
     assert find_right_state(3, np.full(9, 3.51)) == OUTSIDE
 
 
-def test_no_surface_hides_nothing():
+def test_no_surface_hides_nothing() -> None:
     row = make_row(np.nan, 8, 60, 100)
     assert {find_right_state(u, row) for u in range(8, 60)} == {SEEN}
 
 
-def test_what_lies_to_the_left_hides_nothing():
+def test_what_lies_to_the_left_hides_nothing() -> None:
     # A sheet left of the wall moves away from it in the right picture.
     row = make_row(8, 20, 60, 100)
     assert {find_right_state(u, row) for u in range(60, 100)} == {SEEN}
@@ -176,7 +189,9 @@ def test_what_lies_to_the_left_hides_nothing():
         (0, [np.nan, 1.0], ValueError, "u: expected a column that sees a surface, got 0"),
     ],
 )
-def test_a_column_or_row_that_is_none_is_refused(u, row, error, words):
+def test_a_column_or_row_that_is_none_is_refused(
+    u: Any, row: Any, error: type[Exception], words: str
+) -> None:
     with pytest.raises(error, match=words):
         find_right_state(u, row)
 
@@ -194,7 +209,13 @@ WITH_ERROR = (find_depth_error, find_depth_interval, find_linear_depth_error)
     ],
 )
 @pytest.mark.parametrize("function", WITHOUT_ERROR + WITH_ERROR)
-def test_a_pair_of_cameras_that_is_none_is_refused(K, function, change, error, words):
+def test_a_pair_of_cameras_that_is_none_is_refused(
+    K: np.ndarray,
+    function: Callable[..., Any],
+    change: dict[str, Any],
+    error: type[Exception],
+    words: str,
+) -> None:
     given = {"K": K, "baseline": BASELINE} | change
     if function in WITH_ERROR:
         given["match_error"] = 0.5
@@ -203,7 +224,7 @@ def test_a_pair_of_cameras_that_is_none_is_refused(K, function, change, error, w
 
 
 @pytest.mark.parametrize("function", WITHOUT_ERROR + WITH_ERROR)
-def test_what_is_no_number_is_refused_by_name(K, function):
+def test_what_is_no_number_is_refused_by_name(K: np.ndarray, function: Callable[..., Any]) -> None:
     given = {"K": K, "baseline": BASELINE}
     if function in WITH_ERROR:
         given["match_error"] = 0.5
@@ -213,7 +234,7 @@ def test_what_is_no_number_is_refused_by_name(K, function):
 
 
 @pytest.mark.parametrize("function", WITH_ERROR)
-def test_a_match_error_that_is_none_is_refused(K, function):
+def test_a_match_error_that_is_none_is_refused(K: np.ndarray, function: Callable[..., Any]) -> None:
     with pytest.raises(ValueError, match="match_error: expected pixels above 0, got -1"):
         function(1.0, -1, K, BASELINE)
     with pytest.raises(TypeError, match="match_error: expected pixels as a number, got NoneType"):

@@ -29,7 +29,9 @@ CAMERAS = ("head_camera", "left_eye", "right_eye", "sensor_camera")
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_depth_and_cloud_agree_with_the_rays_from_random_poses(scene, seed):
+def test_depth_and_cloud_agree_with_the_rays_from_random_poses(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], seed: int
+) -> None:
     model, data = scene
     rng = np.random.default_rng(seed)
     move_neck(model, data, rng)
@@ -49,12 +51,15 @@ def test_depth_and_cloud_agree_with_the_rays_from_random_poses(scene, seed):
     valid = find_valid_depth(depth)
     hits = raycast_points(model, data, camera, width, height)[valid]
     error_mm = 1000 * np.linalg.norm(world - hits, axis=1)[~find_depth_edges(truth)[valid]]
+    assert colors is not None
     assert len(colors) == len(points) == valid.sum()
     assert np.median(error_mm) < CLOUD_MEDIAN_MM
     assert np.percentile(error_mm, 99) < CLOUD_P99_MM
 
 
-def test_window_pixels_see_nothing_and_read_the_far_plane(scene):
+def test_window_pixels_see_nothing_and_read_the_far_plane(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 240, 320) as renderer:
         _, depth = render_camera(model, data, renderer, "head_camera")
@@ -66,7 +71,9 @@ def test_window_pixels_see_nothing_and_read_the_far_plane(scene):
     assert np.isnan(raycast_depth(model, data, "head_camera", 320, 240)[nothing]).mean() > 0.99
 
 
-def test_segmentation_labels_the_body_the_ray_hits(scene):
+def test_segmentation_labels_the_body_the_ray_hits(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     with make_renderer(model, 120, 160) as renderer:
         labels = render_segmentation(model, data, renderer, "head_camera")
@@ -80,7 +87,9 @@ def test_segmentation_labels_the_body_the_ray_hits(scene):
     assert (labels[on_ball] == ball.id).mean() > 0.95
 
 
-def test_a_found_pixel_lands_on_the_objects_true_surface(scene):
+def test_a_found_pixel_lands_on_the_objects_true_surface(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     width, height = 640, 480
     with make_renderer(model, height, width) as renderer:
@@ -89,7 +98,7 @@ def test_a_found_pixel_lands_on_the_objects_true_surface(scene):
     K, _ = get_camera_intrinsics(model, "head_camera", width, height)
     cam_id = model.camera("head_camera").id
     v, u = np.round(np.argwhere(labels == model.body("red_ball").id).mean(axis=0)).astype(int)
-    point = pixels_to_points([[u, v]], [depth[v, u]], K)
+    point = pixels_to_points([[u, v]], [depth[v, u]], K)  # type: ignore[arg-type]  # array-like
     world = camera_to_world(point, data.cam_xpos[cam_id], data.cam_xmat[cam_id])[0]
     radius = model.geom_size[model.body_geomadr[model.body("red_ball").id], 0]
     distance = np.linalg.norm(world - data.body("red_ball").xpos)
@@ -97,7 +106,9 @@ def test_a_found_pixel_lands_on_the_objects_true_surface(scene):
     assert_allclose(distance, radius, rtol=0, atol=5e-4)
 
 
-def test_ray_cast_depth_is_nan_where_nothing_is_hit_and_float32(scene):
+def test_ray_cast_depth_is_nan_where_nothing_is_hit_and_float32(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     depth = raycast_depth(model, data, "head_camera", 64, 48)
     assert depth.dtype == np.float32
@@ -105,7 +116,9 @@ def test_ray_cast_depth_is_nan_where_nothing_is_hit_and_float32(scene):
     assert np.isnan(raycast_points(model, data, "head_camera", 64, 48)[np.isnan(depth)]).all()
 
 
-def test_ray_caster_sees_only_what_mujoco_draws(scene):
+def test_ray_caster_sees_only_what_mujoco_draws(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     # Geoms of group 3 and up are not drawn by default, so rays must pass them too.
     model, data = scene
     before = raycast_depth(model, data, "head_camera", 64, 48)
@@ -117,13 +130,17 @@ def test_ray_caster_sees_only_what_mujoco_draws(scene):
     assert np.nanmedian(np.abs(after - drawn)) < 1e-4
 
 
-def test_a_state_that_was_never_forwarded_is_refused(scene):
+def test_a_state_that_was_never_forwarded_is_refused(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, _ = scene
     with pytest.raises(ValueError, match="data: expected a forwarded state"):
         raycast_depth(model, mujoco.MjData(model), "head_camera", 8, 6)
 
 
-def test_one_pixel_and_one_row_are_pictures_too(scene):
+def test_one_pixel_and_one_row_are_pictures_too(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
     model, data = scene
     for width, height in ((1, 1), (7, 1), (1, 5)):
         renderer = RaycastRenderer(model, height, width)

@@ -3,8 +3,10 @@
 import itertools
 import math
 import re
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,13 +14,14 @@ import pytest
 import labutils
 from content.chapters import find_chapter, list_required
 from labutils.checks import judge
-from labutils.checks.calls import collect_answers
+from labutils.checks.calls import Function, collect_answers
 from labutils.checks.compare import is_same_outcome
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import get_kind
-from labutils.checks.table import Part, Raised
+from labutils.checks.table import CheckTable, Outcome, Part, Parts, Raised
 from labutils.checks.verdict import MAX_LINES
 from solutions import QUALITY_POINTS, load_exercises
+from solutions._model import Exercise
 
 ROOT = Path(__file__).resolve().parents[2]
 #: With one case, a constant would pass.
@@ -29,30 +32,40 @@ SEEDS = [
 ]
 
 
-def count_right(table, answers):
+def get_parts(due: Outcome) -> "Parts | None":
+    """Return what is due, or None where that is an exception."""
+    if isinstance(due, Raised):
+        return None
+    assert isinstance(due, tuple), due
+    return due
+
+
+def count_right(table: CheckTable, answers: tuple[Outcome, ...]) -> int:
     """Count the cases that a function has to work for: None and no rows are free."""
     return sum(
         is_same_outcome(table.parts, due, answer)
         for due, answer in zip(table.expected, answers, strict=True)
-        if not isinstance(due, Raised) and due[0] is not None and due[0].size
+        if (parts := get_parts(due)) is not None and parts[0] is not None and parts[0].size
     )
 
 
-def test_reference_passes_the_shipped_table(exercise, table):
+def test_reference_passes_the_shipped_table(exercise: Exercise, table: CheckTable) -> None:
     verdict = judge(table, exercise.make_wrong(()))
     assert verdict.passed, verdict.message
     assert judge(table, exercise.reference).passed
 
 
 @pytest.mark.parametrize("seeds", SEEDS)
-def test_reference_passes_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+def test_reference_passes_hidden_cases_of_20_seeds(
+    exercise: Exercise, hidden_table: Callable[[int], CheckTable], seeds: range
+) -> None:
     for seed in seeds:
         hidden = hidden_table(seed)
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(()))) is None
 
 
-def test_hidden_cases_depend_on_the_seed_and_on_nothing_else(exercise):
-    def outcomes(seed):
+def test_hidden_cases_depend_on_the_seed_and_on_nothing_else(exercise: Exercise) -> None:
+    def outcomes(seed: int) -> tuple[Outcome, ...]:
         cases = exercise.hidden(np.random.default_rng(seed))
         return exercise.collect(exercise.reference, cases)
 
@@ -63,9 +76,11 @@ def test_hidden_cases_depend_on_the_seed_and_on_nothing_else(exercise):
     )
 
 
-def test_untouched_starter_scores_0(exercise, table, hidden_table):
+def test_untouched_starter_scores_0(
+    exercise: Exercise, table: CheckTable, hidden_table: Callable[[int], CheckTable]
+) -> None:
     source = (ROOT / "exercises/_generated" / f"{exercise.name}.py").read_text(encoding="utf-8")
-    space = {}
+    space: dict[str, Any] = {}
     exec(compile(source, "starter", "exec"), space)  # noqa: S102 - our own file
     starter = space[exercise.name]
     for cases in (table, hidden_table(0)):
@@ -75,7 +90,7 @@ def test_untouched_starter_scores_0(exercise, table, hidden_table):
     assert "Not started yet" in verdict.message
 
 
-def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
+def test_every_mistake_and_pair_is_named_as_itself(exercise: Exercise, table: CheckTable) -> None:
     for made in exercise.get_combinations():
         verdict = judge(table, exercise.make_wrong(made))
         assert not verdict.passed, f"{made} passes the visible cases: add a case that shows it"
@@ -85,7 +100,9 @@ def test_every_mistake_and_pair_is_named_as_itself(exercise, table):
 
 
 @pytest.mark.parametrize("seeds", SEEDS)
-def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table, seeds):
+def test_every_mistake_fails_hidden_cases_of_20_seeds(
+    exercise: Exercise, hidden_table: Callable[[int], CheckTable], seeds: range
+) -> None:
     for seed in seeds:
         hidden = hidden_table(seed)
         for mistake in exercise.misconceptions:
@@ -95,13 +112,17 @@ def test_every_mistake_fails_hidden_cases_of_20_seeds(exercise, hidden_table, se
 
 
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
-def test_every_pair_fails_hidden_cases(exercise, hidden_table, seed):
+def test_every_pair_fails_hidden_cases(
+    exercise: Exercise, hidden_table: Callable[[int], CheckTable], seed: int
+) -> None:
     hidden = hidden_table(seed)
     for made in exercise.get_combinations():
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
 
 
-def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
+def test_pairs_that_are_not_told_apart_really_coincide(
+    exercise: Exercise, table: CheckTable
+) -> None:
     pairs = math.comb(len(exercise.misconceptions), 2)
     tested = sum(len(made) == 2 for made in exercise.get_combinations())
     assert len(exercise.absorbed) == pairs - tested
@@ -110,14 +131,16 @@ def test_pairs_that_are_not_told_apart_really_coincide(exercise, table):
         assert verdict.misconception in (one.first, one.second), one
 
 
-def test_constants_nan_and_echoes_score_0(table, hidden_table):
-    def shaped_like_expected(fill, cases):
+def test_constants_nan_and_echoes_score_0(
+    table: CheckTable, hidden_table: Callable[[int], CheckTable]
+) -> None:
+    def shaped_like_expected(fill: float, cases: CheckTable) -> Function:
         """Answer with the right shapes and one number everywhere."""
         answers = iter(cases.expected)
 
-        def function(*_):
-            due = next(answers)
-            if isinstance(due, Raised):
+        def function(*_: object) -> object:
+            due = get_parts(next(answers))
+            if due is None:
                 return None
             parts = tuple(
                 part if part is None else np.full(part.shape, fill, float).astype(part.dtype)
@@ -142,14 +165,14 @@ def test_constants_nan_and_echoes_score_0(table, hidden_table):
             assert count_right(cases, answers) == 0
 
 
-def test_answer_of_another_case_scores_0(table):
+def test_answer_of_another_case_scores_0(table: CheckTable) -> None:
     assert len(table.cases) >= MIN_VISIBLE, f"expected {MIN_VISIBLE} visible cases that differ"
     shifted = (*table.expected[1:], table.expected[0])
     assert find_failure(table, shifted)
     assert count_right(table, shifted) == 0
 
 
-def test_some_parts_have_a_tolerance_and_some_a_share():
+def test_some_parts_have_a_tolerance_and_some_a_share() -> None:
     # or the two tests below would pass by finding nothing
     parts = [part for exercise in load_exercises().values() for part in exercise.parts]
     assert sum(part.atol > 0 for part in parts) > len(load_exercises()) / 2
@@ -157,42 +180,52 @@ def test_some_parts_have_a_tolerance_and_some_a_share():
 
 
 @pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])
-def test_tolerance_is_load_bearing(exercise, table, factor, passes):
+def test_tolerance_is_load_bearing(
+    exercise: Exercise, table: CheckTable, factor: float, passes: bool
+) -> None:
     for number, part in enumerate(exercise.parts):
         if part.atol == 0:
             continue
         for sign in (1, -1) if part.dtype in ("float", "int") else (1,):
-            answers = []
+            answers: list[Outcome] = []
             for due in table.expected:
-                if isinstance(due, Raised) or due[number] is None:
+                parts = get_parts(due)
+                if parts is None or (value := parts[number]) is None:
                     answers.append(due)
                     continue
-                moved = get_kind(part).make_shifted(part, due[number], sign * factor * part.atol)
-                answers.append((*due[:number], moved, *due[number + 1 :]))
+                moved = get_kind(part).make_shifted(part, value, sign * factor * part.atol)
+                answers.append((*parts[:number], moved, *parts[number + 1 :]))
             # A range may be left by a rounding error; its gate has the same tolerance.
             assert (find_failure(table, tuple(answers)) is None) is passes, part.name
 
 
 @pytest.mark.parametrize(("factor", "passes"), [(10, False), (0.1, True)])
-def test_share_of_pixels_is_load_bearing(exercise, table, factor, passes):
+def test_share_of_pixels_is_load_bearing(
+    exercise: Exercise, table: CheckTable, factor: float, passes: bool
+) -> None:
     for number, part in enumerate(exercise.parts):
         if part.share == 0:
             continue
-        answers = []
+        answers: list[Outcome] = []
         for due in table.expected:
-            if isinstance(due, Raised):
+            parts = get_parts(due)
+            if parts is None:
                 answers.append(due)
                 continue
-            value = due[number].copy()
+            shown = parts[number]
+            assert shown is not None
+            value = shown.copy()
             count = int(np.ceil(factor * part.share * value.size)) if factor > 1 else 0
             count = count or int(factor * part.share * value.size)
             flat = value.reshape(-1)
             flat[:count] = 255 - flat[:count] if part.dtype == "uint8" else flat[:count] + 1
-            answers.append((*due[:number], value, *due[number + 1 :]))
+            answers.append((*parts[:number], value, *parts[number + 1 :]))
         assert (find_failure(table, tuple(answers)) is None) is passes, part.name
 
 
-def test_messages_are_short_and_keep_the_right_numbers_to_themselves(exercise, table):
+def test_messages_are_short_and_keep_the_right_numbers_to_themselves(
+    exercise: Exercise, table: CheckTable
+) -> None:
     functions = [exercise.make_wrong(made) for made in exercise.get_combinations()]
     functions += [
         lambda *_: 0.0,
@@ -214,10 +247,10 @@ def test_messages_are_short_and_keep_the_right_numbers_to_themselves(exercise, t
             assert not numbers & texts, (message, value)
 
 
-def secret_numbers(table):
+def secret_numbers(table: CheckTable) -> Iterator[tuple[Part, float]]:
     """List the values due that are few enough to be copied from a message."""
-    for due in table.expected:
-        if isinstance(due, Raised):
+    for due in map(get_parts, table.expected):
+        if due is None:
             continue
         for part, value in zip(table.parts, due, strict=True):
             if value is not None and get_kind(part).is_few:
@@ -226,13 +259,13 @@ def secret_numbers(table):
                         yield part, number
 
 
-def test_misconceptions_of_one_card_say_different_things(exercise):
+def test_misconceptions_of_one_card_say_different_things(exercise: Exercise) -> None:
     texts = [one.text for one in exercise.misconceptions]
     assert len(set(texts)) == len(texts), "two mistakes have the same text"
     assert len(set(exercise.hints)) == 3, "expected three different hints"
 
 
-def test_points_are_the_rubric_of_the_lab():
+def test_points_are_the_rubric_of_the_lab() -> None:
     points = {chapter.id: 0 for chapter in list_required()}
     for exercise in load_exercises().values():
         if exercise.chapter in points:
@@ -243,21 +276,25 @@ def test_points_are_the_rubric_of_the_lab():
     assert sum(points.values()) + QUALITY_POINTS == 100
 
 
-def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(exercise):
+def test_lab_exercise_refers_to_the_library_and_a_challenge_does_not(
+    exercise: Exercise,
+) -> None:
     in_library = hasattr(labutils, exercise.name)
     assert exercise.is_challenge != in_library, "a challenge is what the library does not answer"
     if not exercise.is_challenge:
         assert exercise.reference is getattr(labutils, exercise.name)
 
 
-def test_verdicts_link_to_headings_and_places_that_exist(table):
+def test_verdicts_link_to_headings_and_places_that_exist(table: CheckTable) -> None:
     for link in (table.section, *table.links.values()):
-        page, label = re.fullmatch(r"\.\./(book/\w+)\.html#([\w-]+)", link).groups()
+        match = re.fullmatch(r"\.\./(book/\w+)\.html#([\w-]+)", link)
+        assert match, link
+        page, label = match.groups()
         assert find_chapter(page)
         assert f"\n({label})=\n" in (ROOT / f"{page}.md").read_text(encoding="utf-8")
 
 
-def test_mistake_with_its_own_section_leads_there(exercise, table):
+def test_mistake_with_its_own_section_leads_there(exercise: Exercise, table: CheckTable) -> None:
     for mistake in exercise.misconceptions:
         verdict = judge(table, exercise.make_wrong((mistake.name,)))
         assert verdict.link.endswith(f"#{mistake.section or exercise.section}")
@@ -283,27 +320,27 @@ def test_mistake_with_its_own_section_leads_there(exercise, table):
         ),
     ],
 )
-def test_incomplete_card_is_refused(change, words):
+def test_incomplete_card_is_refused(change: dict[str, Any], words: str) -> None:
     card = load_exercises()["process_depth"]
     with pytest.raises(ValueError, match=words):
         replace(card, **change)
 
 
-def test_card_with_unknown_absorbed_mistake_is_refused():
+def test_card_with_unknown_absorbed_mistake_is_refused() -> None:
     card = load_exercises()["process_depth"]
     wrong = replace(card.absorbed[0], first="nobody")
     with pytest.raises(ValueError, match="nobody"):
         replace(card, absorbed=(wrong,))
 
 
-def test_card_whose_mistakes_do_not_start_from_the_reference_is_refused():
+def test_card_whose_mistakes_do_not_start_from_the_reference_is_refused() -> None:
     card = load_exercises()["process_depth"]
     broken = replace(card, answer_with=lambda _, raw, *__: raw)
     with pytest.raises(ValueError, match="without mistakes differs"):
         broken.freeze()
 
 
-def test_card_whose_reference_fails_is_refused():
+def test_card_whose_reference_fails_is_refused() -> None:
     card = load_exercises()["process_depth"]
     case = replace(card.visible()[0], args=("no picture", 0.1, 4.0))
     with pytest.raises(ValueError, match="the reference fails"):
@@ -311,13 +348,13 @@ def test_card_whose_reference_fails_is_refused():
 
 
 @pytest.mark.parametrize(("name", "text"), [("Two words", "x" * 50 + "."), ("short", "No.")])
-def test_misconception_without_name_or_text_is_refused(name, text):
+def test_misconception_without_name_or_text_is_refused(name: str, text: str) -> None:
     one = load_exercises()["process_depth"].misconceptions[0]
     with pytest.raises(ValueError, match="misconception"):
         replace(one, name=name, text=text)
 
 
-def test_all_pairs_of_a_card_are_tested_or_listed(exercise):
+def test_all_pairs_of_a_card_are_tested_or_listed(exercise: Exercise) -> None:
     names = [one.name for one in exercise.misconceptions]
     pairs = {frozenset(pair) for pair in itertools.combinations(names, 2)}
     tested = {frozenset(made) for made in exercise.get_combinations() if len(made) == 2}

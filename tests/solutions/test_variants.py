@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge
-from labutils.checks.calls import collect_answers
+from labutils.checks.calls import Function, collect_answers
 from labutils.checks.gates import find_failure
 from labutils.checks.table import load_table
 from solutions import load_exercises
@@ -22,7 +22,7 @@ VARIANTS = {
 }
 
 
-def test_every_exercise_has_three_variants():
+def test_every_exercise_has_three_variants() -> None:
     assert set(VARIANTS) == set(load_exercises())
     for name, functions in VARIANTS.items():
         found = f"got {len(functions)} in {FOLDER.name}/{name}.py"
@@ -34,7 +34,7 @@ def test_every_exercise_has_three_variants():
     ("name", "function"),
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
-def test_right_answer_written_differently_passes(name, function):
+def test_right_answer_written_differently_passes(name: str, function: Function) -> None:
     verdict = judge(load_table(name), function)
     assert verdict.passed, verdict.message
 
@@ -43,7 +43,9 @@ def test_right_answer_written_differently_passes(name, function):
     ("name", "function"),
     [(name, function) for name, functions in VARIANTS.items() for function in functions],
 )
-def test_right_answer_written_differently_passes_hidden_cases(name, function):
+def test_right_answer_written_differently_passes_hidden_cases(
+    name: str, function: Function
+) -> None:
     exercise = load_exercises()[name]
     for seed in range(3):
         cases = exercise.hidden(np.random.default_rng(seed))

@@ -2,24 +2,28 @@
 
 import re
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
 from tools import headless
 from tools.bench import __main__ as every
 from tools.bench import checks, explorers, page_python
+from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_make_bench_runs_every_bench():
+def test_make_bench_runs_every_bench() -> None:
     folder = ROOT / "tools" / "bench"
     helpers = {"__init__", "__main__", "routes"}
     assert set(every.BENCHES) == {path.stem for path in folder.glob("*.py")} - helpers
     assert "-m tools.bench\n" in (ROOT / "Makefile").read_text()
 
 
-def test_a_bench_that_cannot_run_stops_no_other_and_is_named(tmp_path, monkeypatch, capfd):
+def test_a_bench_that_cannot_run_stops_no_other_and_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     package = tmp_path / "tools" / "bench"
     package.mkdir(parents=True)
     for name, code in (("good", "print('measured')"), ("bad", "raise SystemExit('no browser')")):
@@ -33,9 +37,11 @@ def test_a_bench_that_cannot_run_stops_no_other_and_is_named(tmp_path, monkeypat
     assert every.main(["good"]) == 0
 
 
-def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(monkeypatch, capsys):
+def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     class Slow:
-        def __call__(self, *_):
+        def __call__(self, *_: object) -> dict[str, float]:
             return {checks.REFERENCE: 2.0, checks.PEER: 1.0, "right": 10_000.0}
 
     monkeypatch.setattr(checks, "measure", Slow())
@@ -43,21 +49,23 @@ def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(monkeypatch, cap
     assert "right 5000.0 / 10000.0 (10000 ms)" in capsys.readouterr().out
 
 
-def test_a_check_is_compared_with_peers_that_do_something():
+def test_a_check_is_compared_with_peers_that_do_something() -> None:
     case = checks.make_large_cases()["find_object_centroid"]
     times = checks.measure("find_object_centroid", case, 1)
     assert list(times) == [checks.REFERENCE, checks.PEER, "right", "first mistake", "last pair"]
     assert min(times.values()) > 0
 
 
-def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(tmp_path, monkeypatch, capsys):
+def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "index.html").write_text("")
     (tmp_path / "page.html").write_text("")
     found = [{"name": "hsv", "times": [400.0, 500.0, 600.0], "parameters": {}}]
     monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
     monkeypatch.setattr(headless, "find_browser", lambda *_: "chromium")
     monkeypatch.setattr(headless, "run_script", lambda *_: found)
-    monkeypatch.setattr(explorers.npm, "install", lambda: "up to date")
+    monkeypatch.setattr(npm, "install", lambda: "up to date")
     monkeypatch.setattr(explorers, "find_pages", lambda: ["page"])
     monkeypatch.setattr(explorers, "read_views", lambda _: [None])
     monkeypatch.setattr(explorers, "measure_python", lambda *_: 10.0)
@@ -67,13 +75,18 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(tmp_path, monkey
 
 
 @pytest.mark.parametrize("bench", [explorers, page_python])
-def test_what_could_not_be_measured_is_no_success(bench, tmp_path, monkeypatch, capsys):
+def test_what_could_not_be_measured_is_no_success(
+    bench: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
     monkeypatch.setattr(page_python, "HTML", tmp_path)
     assert bench.main([]) == 1
     assert "not measured" in capsys.readouterr().out
 
 
-def test_python_in_the_page_is_told_as_a_ratio(capsys):
+def test_python_in_the_page_is_told_as_a_ratio(capsys: pytest.CaptureFixture[str]) -> None:
     page_python.print_line("every later check", [9000.0], "the native check", [3.0])
     assert "3000.0 x the native check (9000 ms to 3 ms" in capsys.readouterr().out

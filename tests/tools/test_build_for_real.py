@@ -21,14 +21,14 @@ kernelspec: {display_name: Python 3, language: python, name: python3}
 """
 
 
-def write(folder, name, text):
+def write(folder: Path, name: str, text: str) -> None:
     path = folder / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
 
 
 @pytest.mark.slow
-def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
+def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path: Path) -> None:
     # one page with a cell, one with a question, in a copy of everything else
     ignored = shutil.ignore_patterns(
         "_build", "outputs", ".*", "tests", "__pycache__", "*.egg-info", "pages"
@@ -48,7 +48,7 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
 
     no_network = {"https_proxy": "http://127.0.0.1:9", memory.OUTSIDE: ""}  # to load wheels from
 
-    def run_build():
+    def run_build() -> subprocess.CompletedProcess[str]:
         return subprocess.run(
             [sys.executable, "-m", "tools.build.book"],
             cwd=tmp_path,
@@ -58,7 +58,7 @@ def test_a_real_book_is_built_anew_only_where_it_has_changed(tmp_path):
             check=False,
         )
 
-    def build():
+    def build() -> tuple[str, float]:
         started = time.monotonic()
         done = run_build()
         assert done.returncode == 0, done.stdout + done.stderr

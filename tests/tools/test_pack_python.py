@@ -9,6 +9,7 @@ import subprocess
 import sys
 import zipfile
 from pathlib import Path
+from typing import Any, NoReturn
 
 import pytest
 
@@ -16,6 +17,7 @@ from labutils.checks.table import TABLES, load_table, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
 from tools.vendor import npm, pack_python, page_python, page_wheels
+from tools.vendor.page_wheels import Wheels
 
 ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
@@ -23,18 +25,20 @@ BUDGET = 13_000_000  # bytes, gzipped, on the first click
 PIECE = re.compile(r'cameraLabAsset\("([^"]+)",(\d+),"([A-Za-z0-9+/=]*)"\);\n')
 
 
-def unpack(folder, asset):
+def unpack(folder: Path, asset: dict[str, Any]) -> bytes:
     """Put an asset together as the page does."""
     pieces = []
     for number, file in enumerate(asset["files"]):
-        name, place, text = PIECE.fullmatch((folder / file).read_text()).groups()
+        piece = PIECE.fullmatch((folder / file).read_text())
+        assert piece, file
+        name, place, text = piece.groups()
         assert (name, int(place)) == (asset["name"], number)
         pieces.append(base64.b64decode(text))
     assert sum(map(len, pieces)) == asset["bytes"]
     return gzip.decompress(b"".join(pieces))
 
 
-def make_wheel(path, **extra):
+def make_wheel(path: Path, **extra: str) -> Path:
     names = ["pkg/__init__.py", "pkg/tests/test_x.py", "pkg/_core/include/x.h", "pkg/x.pyi"]
     names += ["pkg/f2py/__init__.py", "pkg/f2py/rules.py", "pkg/lib.so"]
     members = dict.fromkeys(names, "x") | {"pkg-1.dist-info/licenses/LICENSE.txt": "Free."} | extra
@@ -45,7 +49,7 @@ def make_wheel(path, **extra):
 
 
 @pytest.fixture(autouse=True)
-def place(tmp_path, monkeypatch):
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Pack into a folder of the test, from a small stand-in for Pyodide and its wheels."""
     vendor = tmp_path / "vendor"
     vendor.mkdir()
@@ -60,17 +64,17 @@ def place(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def wheels(tmp_path):
+def wheels(tmp_path: Path) -> Wheels:
     files = {name: make_wheel(tmp_path / f"{name}-1-x.whl") for name in ("numpy", "cv2")}
     return page_wheels.Wheels("a test", files)
 
 
-def read_all(folder):
+def read_all(folder: Path) -> dict[str, bytes]:
     files = sorted(path for path in folder.rglob("*") if path.is_file())
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in files}
 
 
-def test_two_builds_give_the_same_bytes(wheels):
+def test_two_builds_give_the_same_bytes(wheels: Wheels) -> None:
     first = pack_python.pack(wheels, "1.0")
     before = read_all(pack_python.PACKED)
     for path in wheels.files.values():
@@ -81,7 +85,9 @@ def test_two_builds_give_the_same_bytes(wheels):
     assert {**first, "version": ""} == {**again, "version": ""}
 
 
-def test_nothing_is_packed_twice_and_a_change_is_seen(wheels, monkeypatch):
+def test_nothing_is_packed_twice_and_a_change_is_seen(
+    wheels: Wheels, monkeypatch: pytest.MonkeyPatch
+) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     with monkeypatch.context() as patch:
         patch.setattr(pack_python, "write_asset", lambda *_: pytest.fail("packed again"))
@@ -90,19 +96,19 @@ def test_nothing_is_packed_twice_and_a_change_is_seen(wheels, monkeypatch):
     assert pack_python.pack(wheels, "1.0")["version"] != manifest["version"]
 
 
-def test_a_large_asset_comes_in_pieces(place):
+def test_a_large_asset_comes_in_pieces(place: Path) -> None:
     content = bytes(range(256)) * 20_000
     noise = gzip.compress(content, 0)  # about as large as before
     asset = pack_python.write_asset(place, "x.bin", noise[: pack_python.PIECE] + noise)
     assert unpack(place, asset) == noise[: pack_python.PIECE] + noise
 
 
-def test_wheels_lose_what_no_reader_needs(wheels):
+def test_wheels_lose_what_no_reader_needs(wheels: Wheels) -> None:
     with zipfile.ZipFile(io.BytesIO(pack_python.trim_wheel(wheels.files["cv2"]))) as archive:
         assert archive.namelist() == ["pkg/__init__.py", "pkg/f2py/__init__.py", "pkg/lib.so"]
 
 
-def test_licenses_are_shipped_beside_the_assets(wheels):
+def test_licenses_are_shipped_beside_the_assets(wheels: Wheels) -> None:
     pack_python.pack(wheels, "1.0")
     licenses = read_all(pack_python.PACKED / "python" / "licenses")
     assert set(licenses) == {
@@ -115,7 +121,7 @@ def test_licenses_are_shipped_beside_the_assets(wheels):
     assert b"https://mozilla.org/MPL/2.0/" in licenses["NOTICE.txt"]
 
 
-def test_wheels_that_could_not_be_had_are_left_to_the_page():
+def test_wheels_that_could_not_be_had_are_left_to_the_page() -> None:
     remote = (page_wheels.RemoteWheel("numpy", "https://cdn.example/numpy.whl", "ab"),)
     manifest = pack_python.pack(page_wheels.Wheels("nobody", remote=remote), "1.0")
     assert manifest["remote"] == [
@@ -124,7 +130,7 @@ def test_wheels_that_could_not_be_had_are_left_to_the_page():
     assert not [asset for asset in manifest["assets"] if "numpy" in asset["name"]]
 
 
-def test_the_library_is_the_one_of_the_notebook(wheels):
+def test_the_library_is_the_one_of_the_notebook(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
     with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
@@ -136,7 +142,7 @@ def test_the_library_is_the_one_of_the_notebook(wheels):
     assert not [name for name in names if name.endswith(".npz")]
 
 
-def test_packed_library_checks_an_answer_by_itself(wheels, tmp_path):
+def test_packed_library_checks_an_answer_by_itself(wheels: Wheels, tmp_path: Path) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
     with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
@@ -154,7 +160,7 @@ def test_packed_library_checks_an_answer_by_itself(wheels, tmp_path):
     assert done.stdout.split() == [str(tmp_path / "labutils" / "__init__.py"), "value"]
 
 
-def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels):
+def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     folder = pack_python.PACKED / "python"
     for name in read_words():
@@ -164,19 +170,19 @@ def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels):
         assert unpack(folder, asset) == (tables / f"{name}.npz").read_bytes()
 
 
-def test_what_is_ours_in_the_assets_holds_no_leak(wheels):
+def test_what_is_ours_in_the_assets_holds_no_leak(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     ours = [asset for asset in manifest["assets"] if not asset["name"].startswith("vendor/")]
     assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page_runner.py"}
     folder = pack_python.PACKED / "python"
-    documents = []
+    documents: list[tuple[str, str]] = []
     for asset in (*ours, *manifest["tables"].values()):
         documents += read_document(asset["name"], unpack(folder, asset))
     assert len(documents) > len(manifest["tables"])
     assert find_leaks(collect_secrets(load_exercises().values()), documents) == []
 
 
-def test_a_first_click_loads_less_than_its_budget():
+def test_a_first_click_loads_less_than_its_budget() -> None:
     if not REAL_MANIFEST.is_file():
         pytest.skip("Python in the page is not packed; run `make book` first")
     manifest = json.loads(REAL_MANIFEST.read_text())
@@ -189,18 +195,20 @@ def test_a_first_click_loads_less_than_its_budget():
     assert manifest["bytes"] + largest < BUDGET
 
 
-def test_the_editor_is_made_of_locked_packages():
+def test_the_editor_is_made_of_locked_packages() -> None:
     closure = npm.list_closure(page_python.EDITOR_PACKAGES)
     assert {"@codemirror/view", "@lezer/python", "style-mod"} <= set(closure)
     for name in closure:
         assert npm.get_checksum(name).startswith("sha512-")
 
 
-def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
+def test_an_editor_that_cannot_be_bundled_stops_the_build(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     entry = place / "entry.js"
     entry.write_text("import { nothing } from 'nowhere';")
     monkeypatch.setattr(page_python, "ENTRY", entry)
-    if not (page_python.ROOT / "_build" / "page_python").is_dir():
+    if not (ROOT / "_build" / "page_python").is_dir():
         pytest.skip("the packages are not there; run `make book` first")
     try:
         npm.install()
@@ -210,8 +218,10 @@ def test_an_editor_that_cannot_be_bundled_stops_the_build(place, monkeypatch):
         page_python.bundle_editor(place)
 
 
-def test_without_npm_and_without_older_files_the_build_stops(monkeypatch, capsys):
-    def fail():
+def test_without_npm_and_without_older_files_the_build_stops(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail() -> NoReturn:
         raise npm.VendorError("npm could not fetch pyodide")
 
     monkeypatch.setattr(npm, "install", fail)

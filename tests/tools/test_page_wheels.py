@@ -6,19 +6,21 @@ from pathlib import Path
 
 import pytest
 
+from tools import ROOT
 from tools.vendor import page_wheels
+from tools.vendor.page_wheels import Wheels
 
 TAGS = "cp314-cp314-pyemscripten_2026_0_wasm32.whl"
 NUMPY, CV2 = f"numpy-2.4.6-{TAGS}", f"opencv_python-4.11.0.86-{TAGS}"
 CONTENT = {NUMPY: b"numbers", CV2: b"pictures"}
 
 
-def sha256(content):
+def sha256(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
 @pytest.fixture(autouse=True)
-def cache(tmp_path, monkeypatch):
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "cache"
     monkeypatch.setattr(page_wheels, "CACHE", folder)
     monkeypatch.delenv(page_wheels.VARIABLE, raising=False)
@@ -26,7 +28,7 @@ def cache(tmp_path, monkeypatch):
 
 
 @pytest.fixture
-def lock(tmp_path):
+def lock(tmp_path: Path) -> Path:
     packages = {
         name: {"file_name": file, "version": file.split("-")[1], "sha256": sha256(CONTENT[file])}
         for name, file in (("numpy", NUMPY), ("opencv-python", CV2))
@@ -37,7 +39,7 @@ def lock(tmp_path):
 
 
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     path = tmp_path / "wheels"
     path.mkdir()
     for name, content in CONTENT.items():
@@ -49,11 +51,11 @@ def folder(tmp_path, monkeypatch):
 class Network:
     """A network that hands out files, and remembers what it was asked."""
 
-    def __init__(self, files=CONTENT):
+    def __init__(self, files: dict[str, bytes] = CONTENT) -> None:
         self.files = files
-        self.asked = []
+        self.asked: list[str] = []
 
-    def __call__(self, url):
+    def __call__(self, url: str) -> bytes:
         self.asked.append(url)
         name = url.rpartition("/")[2]
         if name not in self.files:
@@ -61,17 +63,17 @@ class Network:
         return self.files[name]
 
 
-def find(lock, network):
+def find(lock: Path, network: Network) -> Wheels:
     return page_wheels.find_wheels(lock, "314.0.7", network)
 
 
-def write_sums(folder, **wrong):
+def write_sums(folder: Path, **wrong: str) -> None:
     sums = {name: sha256(content) for name, content in CONTENT.items()} | wrong
     lines = [f"{checksum}  {name}" for name, checksum in sums.items()]
     (folder / "SHA256SUMS").write_text("\n".join(lines))
 
 
-def test_the_folder_comes_first_and_nothing_is_downloaded(lock, folder):
+def test_the_folder_comes_first_and_nothing_is_downloaded(lock: Path, folder: Path) -> None:
     network = Network()
     wheels = find(lock, network)
     assert wheels.files == {"numpy": folder / NUMPY, "cv2": folder / CV2}
@@ -80,18 +82,20 @@ def test_the_folder_comes_first_and_nothing_is_downloaded(lock, folder):
     assert "CAMERA_LAB_WHEELS" in wheels.said
 
 
-def test_the_folder_may_hold_opencv_without_windows(lock, folder):
+def test_the_folder_may_hold_opencv_without_windows(lock: Path, folder: Path) -> None:
     headless = CV2.replace("opencv_python", "opencv_python_headless")
     (folder / CV2).rename(folder / headless)
     assert find(lock, Network()).files["cv2"].name == headless
 
 
-def test_right_checksums_of_the_folder_are_accepted(lock, folder):
+def test_right_checksums_of_the_folder_are_accepted(lock: Path, folder: Path) -> None:
     write_sums(folder)
     assert find(lock, Network()).files["numpy"] == folder / NUMPY
 
 
-def test_a_wrong_folder_is_named_and_the_build_goes_on(lock, folder, capsys):
+def test_a_wrong_folder_is_named_and_the_build_goes_on(
+    lock: Path, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / NUMPY).unlink()
     wheels = find(lock, Network())
     assert wheels.said == "the official files"
@@ -99,25 +103,31 @@ def test_a_wrong_folder_is_named_and_the_build_goes_on(lock, folder, capsys):
     assert "CAMERA_LAB_WHEELS: expected one file numpy-2.4.6-*.whl in the folder, found 0" in error
 
 
-def test_a_file_that_is_not_what_the_checksums_say_is_refused(lock, folder, capsys):
+def test_a_file_that_is_not_what_the_checksums_say_is_refused(
+    lock: Path, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     write_sums(folder, **{CV2: "0" * 64})
     assert find(lock, Network()).files["cv2"].parent == page_wheels.CACHE
     assert f"{CV2} is not what SHA256SUMS says (expected {'0' * 64})" in capsys.readouterr().err
 
 
-def test_a_file_the_checksums_do_not_name_is_refused(lock, folder, capsys):
+def test_a_file_the_checksums_do_not_name_is_refused(
+    lock: Path, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "SHA256SUMS").write_text(f"{sha256(CONTENT[CV2])} *{CV2}\n")
     find(lock, Network())
     assert f"{NUMPY} is not what SHA256SUMS says (expected no line" in capsys.readouterr().err
 
 
-def test_a_wheel_for_another_machine_is_refused(lock, folder, capsys):
+def test_a_wheel_for_another_machine_is_refused(
+    lock: Path, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / NUMPY).rename(folder / "numpy-2.4.6-cp311-cp311-manylinux_2_17_x86_64.whl")
     find(lock, Network())
     assert f"expected a wheel for {TAGS}" in capsys.readouterr().err
 
 
-def test_the_official_files_are_downloaded_once(lock, cache):
+def test_the_official_files_are_downloaded_once(lock: Path, cache: Path) -> None:
     network = Network()
     wheels = find(lock, network)
     assert wheels.files == {"numpy": cache / NUMPY, "cv2": cache / CV2}
@@ -130,7 +140,7 @@ def test_the_official_files_are_downloaded_once(lock, cache):
     assert again.asked == []
 
 
-def test_a_spoiled_file_in_the_cache_is_downloaded_anew(lock, cache):
+def test_a_spoiled_file_in_the_cache_is_downloaded_anew(lock: Path, cache: Path) -> None:
     find(lock, Network())
     (cache / NUMPY).write_bytes(b"half a file")
     network = Network()
@@ -138,14 +148,14 @@ def test_a_spoiled_file_in_the_cache_is_downloaded_anew(lock, cache):
     assert len(network.asked) == 1
 
 
-def test_a_download_with_a_wrong_checksum_is_not_kept(lock, cache):
+def test_a_download_with_a_wrong_checksum_is_not_kept(lock: Path, cache: Path) -> None:
     wheels = find(lock, Network({NUMPY: CONTENT[NUMPY], CV2: b"something else"}))
     assert wheels.files == {}
     assert [path.name for path in cache.iterdir()] == [NUMPY]
     assert f"{CV2} does not have the checksum of Pyodide's lock file" in wheels.said
 
 
-def test_without_network_the_page_loads_the_official_files_itself(lock):
+def test_without_network_the_page_loads_the_official_files_itself(lock: Path) -> None:
     wheels = find(lock, Network(files={}))
     assert wheels.files == {}
     assert [(wheel.name, wheel.url.rpartition("/")[2]) for wheel in wheels.remote] == [
@@ -156,9 +166,9 @@ def test_without_network_the_page_loads_the_official_files_itself(lock):
     assert "its reader needs a network (no download: no such host)" in wheels.said
 
 
-def test_the_lock_file_of_pyodide_names_both_wheels():
+def test_the_lock_file_of_pyodide_names_both_wheels() -> None:
     # What is fetched by address has to be in the very version that is pinned.
-    lock = Path(page_wheels.ROOT) / "_build" / "vendor_python" / "pyodide-lock.json"
+    lock = ROOT / "_build" / "vendor_python" / "pyodide-lock.json"
     if not lock.is_file():
         pytest.skip("Pyodide is not there; run `make book` first")
     wheels = page_wheels.find_wheels(lock, "314.0.7", Network(files={}))

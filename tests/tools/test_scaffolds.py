@@ -8,8 +8,10 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -50,7 +52,7 @@ PLACE_IN_CODE = re.compile(
 PLACE_IN_WORDS = re.compile(r'FILL: [^"|\n]*[^"|\n\s]')
 
 
-def copy_repository(folder, *names):
+def copy_repository(folder: Path, *names: str) -> Path:
     """Copy what git knows of the repository, or some of it, and begin a history there."""
     command = ["git", "ls-files", "-co", "--exclude-standard", "--", *names]
     listed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
@@ -62,7 +64,7 @@ def copy_repository(folder, *names):
 
 
 @pytest.fixture
-def small(tmp_path):
+def small(tmp_path: Path) -> Path:
     """A copy of what the scaffolds read and change."""
     return copy_repository(tmp_path, "_toc.yml", "content", "book/*.md", "exercises")
 
@@ -70,7 +72,7 @@ def small(tmp_path):
 # ---- A chapter
 
 
-def test_a_chapter_gets_its_row_its_place_and_its_files(small):
+def test_a_chapter_gets_its_row_its_place_and_its_files(small: Path) -> None:
     before = len(load_chapters(small))
     written = plan_chapter("two-eyes", "How far is it?", root=small).write()
     assert set(written) == {
@@ -96,7 +98,7 @@ def test_a_chapter_gets_its_row_its_place_and_its_files(small):
     assert sections.endswith("  7a: two-eyes-first\n  7b: two-eyes-first\n")
 
 
-def test_chapters_keep_the_order_of_their_kinds(small):
+def test_chapters_keep_the_order_of_their_kinds(small: Path) -> None:
     kinds = {"two-eyes": "extension", "three-eyes": "extension", "step7": "required"}
     for id_, kind in kinds.items():
         load_chapters.cache_clear()
@@ -114,7 +116,7 @@ def test_chapters_keep_the_order_of_their_kinds(small):
     assert "  9c: step7-first\n" in (small / "exercises/objectives.yml").read_text("utf-8")
 
 
-def test_what_is_unfilled_is_named_by_file_line_and_words(small):
+def test_what_is_unfilled_is_named_by_file_line_and_words(small: Path) -> None:
     assert find_unfilled(small) == []
     plan_chapter("two-eyes", root=small).write()
     places = find_unfilled(small)
@@ -127,7 +129,7 @@ def test_what_is_unfilled_is_named_by_file_line_and_words(small):
         assert str(place).startswith(f"{place.file}:{place.line}: ")
 
 
-def test_the_repository_itself_has_no_unfilled_place():
+def test_the_repository_itself_has_no_unfilled_place() -> None:
     assert [str(place) for place in find_unfilled()] == []
 
 
@@ -143,8 +145,8 @@ def test_the_repository_itself_has_no_unfilled_place():
     ],
 )
 def test_a_chapter_that_cannot_be_made_is_refused_and_nothing_is_written(
-    id_, title, kind, message, small
-):
+    id_: str, title: str, kind: str, message: str, small: Path
+) -> None:
     before = read_all(small)
     with pytest.raises(ScaffoldError, match=message):
         plan_chapter(id_, title, kind, small).write()
@@ -154,7 +156,7 @@ def test_a_chapter_that_cannot_be_made_is_refused_and_nothing_is_written(
 # ---- An exercise
 
 
-def test_an_exercise_gets_its_card_its_statement_and_its_variants(small):
+def test_an_exercise_gets_its_card_its_statement_and_its_variants(small: Path) -> None:
     plan = plan_exercise("scale_intrinsics", "step2", args="K: np.ndarray, s: float", root=small)
     assert plan.write() == [
         "solutions/scale_intrinsics.py",
@@ -172,16 +174,16 @@ def test_an_exercise_gets_its_card_its_statement_and_its_variants(small):
     assert "result = scale_intrinsics(K, s)" in page
 
 
-def test_an_exercise_of_the_lab_answers_for_a_function_of_the_library(small):
+def test_an_exercise_of_the_lab_answers_for_a_function_of_the_library(small: Path) -> None:
     plan = plan_exercise("points_to_pixels", "step5", "lab", root=small)
     card = plan.texts[Path("solutions/points_to_pixels.py")]
     assert "reference=labutils.points_to_pixels," in card
     assert "mistakes: frozenset[str], points: Any, K: Any" in card
 
 
-def test_a_new_card_can_be_loaded_before_it_is_filled(small):
+def test_a_new_card_can_be_loaded_before_it_is_filled(small: Path) -> None:
     plan = plan_exercise("scale_intrinsics", "step2", root=small)
-    space = {"__name__": "solutions.scale_intrinsics"}
+    space: dict[str, Any] = {"__name__": "solutions.scale_intrinsics"}
     exec(plan.texts[Path("solutions/scale_intrinsics.py")], space)  # noqa: S102 - our own text
     card = space["EXERCISE"]
     assert card.is_challenge
@@ -204,7 +206,9 @@ def test_a_new_card_can_be_loaded_before_it_is_filled(small):
         ("find_edges", "step2", "challenge", "a b", "ARGS: expected such as 'values: np.ndarray'"),
     ],
 )
-def test_an_exercise_that_cannot_be_made_is_refused(name, chapter, kind, args, message, small):
+def test_an_exercise_that_cannot_be_made_is_refused(
+    name: str, chapter: str, kind: str, args: str, message: str, small: Path
+) -> None:
     before = read_all(small)
     with pytest.raises(ScaffoldError, match=message):
         plan_exercise(name, chapter, kind, args, small).write()
@@ -214,7 +218,7 @@ def test_an_exercise_that_cannot_be_made_is_refused(name, chapter, kind, args, m
 # ---- The commands, and what they stand on
 
 
-def test_commands_say_why_they_refuse_in_one_sentence(capsys):
+def test_commands_say_why_they_refuse_in_one_sentence(capsys: pytest.CaptureFixture[str]) -> None:
     assert chapter_tool.main(["--id", "step1"]) == 1
     said = capsys.readouterr().err
     assert said == "new-chapter: ID: there is a chapter step1 already; choose another name\n"
@@ -222,7 +226,7 @@ def test_commands_say_why_they_refuse_in_one_sentence(capsys):
     assert capsys.readouterr().err.startswith("new-exercise: NAME: there is an exercise")
 
 
-def test_where_one_file_cannot_be_written_all_stay_as_they_were(tmp_path):
+def test_where_one_file_cannot_be_written_all_stay_as_they_were(tmp_path: Path) -> None:
     (tmp_path / "old").write_text("before\n", encoding="utf-8")
     (tmp_path / "taken").write_text("a file, and no folder", encoding="utf-8")
     plan = Plan(tmp_path)
@@ -235,7 +239,7 @@ def test_where_one_file_cannot_be_written_all_stay_as_they_were(tmp_path):
     assert read_all(tmp_path) == before
 
 
-def test_a_line_to_insert_at_has_to_be_there_once(tmp_path):
+def test_a_line_to_insert_at_has_to_be_there_once(tmp_path: Path) -> None:
     (tmp_path / "list").write_text("a\nb\na\n", encoding="utf-8")
     plan = Plan(tmp_path)
     plan.insert("list", "c\n", after="b")
@@ -246,35 +250,35 @@ def test_a_line_to_insert_at_has_to_be_there_once(tmp_path):
             plan.insert("list", "e\n", after=line)
 
 
-def test_a_slot_without_a_value_is_an_error():
+def test_a_slot_without_a_value_is_an_error() -> None:
     with pytest.raises(KeyError, match="name"):
         fill_template("statement.md", label="x")
 
 
-def read_all(folder):
+def read_all(folder: Path) -> dict[Path, bytes]:
     return {path: path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 # ---- A whole chapter, on a copy of the repository
 
 
-def fill(path, texts):
+def fill(path: Path, texts: Iterable[str]) -> None:
     """Fill the places of a file in their order; an empty text leaves the next line as it is."""
-    texts = iter(texts)
+    rest = iter(texts)
 
-    def write(place):
-        text = next(texts)
+    def write(place: re.Match[str]) -> str:
+        text = next(rest)
         if "line" in place.re.groupindex and place["line"] is not None:
             return f"{place['indent']}{text}" if text else place["line"]
         return text
 
     pattern = PLACE_IN_CODE if path.suffix == ".py" else PLACE_IN_WORDS
     filled = pattern.sub(write, path.read_text(encoding="utf-8"))
-    assert next(texts, None) is None, f"{path.name}: more texts than places"
+    assert next(rest, None) is None, f"{path.name}: more texts than places"
     path.write_text(filled, encoding="utf-8")
 
 
-def read_texts(name):
+def read_texts(name: str) -> list[str]:
     text = (TEXTS / f"{name}.txt").read_text(encoding="utf-8")
     return [one.strip("\n") for one in re.split(r"^%%\n", text, flags=re.MULTILINE)]
 
@@ -282,16 +286,16 @@ def read_texts(name):
 class Copy:
     """A copy of the repository, with this environment and a history of its own."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: Path) -> None:
         self.folder = copy_repository(folder)
         self.git("init", "-q")
         self.commit()
 
-    def run(self, *command, **variables):
+    def run(self, *command: str, **variables: str) -> str:
         environment = {name: v for name, v in os.environ.items() if not name.startswith("PYTEST")}
         environment |= {"PYTHONPATH": str(self.folder), "PYTHONDONTWRITEBYTECODE": "1", **variables}
         done = subprocess.run(
-            [sys.executable, *map(str, command)],
+            [sys.executable, *command],
             cwd=self.folder,
             env=environment,
             capture_output=True,
@@ -302,23 +306,23 @@ class Copy:
         assert done.returncode == 0, done.stdout[-6000:] + done.stderr[-6000:]
         return done.stdout
 
-    def git(self, *arguments):
+    def git(self, *arguments: str) -> str:
         command = ["git", "-c", "user.name=test", "-c", "user.email=test@example.org", *arguments]
         done = subprocess.run(
             command, cwd=self.folder, capture_output=True, text=True, check=True, timeout=60
         )
         return done.stdout
 
-    def commit(self):
+    def commit(self) -> None:
         self.git("add", "-A")
         self.git("commit", "-q", "-m", "as it is")
 
-    def list_changed(self):
+    def list_changed(self) -> list[str]:
         return self.git("diff", "--name-only", "HEAD", "--no-renames").splitlines()
 
 
 @pytest.fixture(scope="module")
-def extended(tmp_path_factory):
+def extended(tmp_path_factory: pytest.TempPathFactory) -> Copy:
     """The repository with a chapter more, made by the commands and filled from the texts."""
     copy = Copy(tmp_path_factory.mktemp("copy"))
     title = "Where does a point land in a smaller picture?"
@@ -335,7 +339,7 @@ def extended(tmp_path_factory):
 
 
 @pytest.mark.slow
-def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended):
+def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended: Copy) -> None:
     extended.git("add", "-A")
     changed = extended.list_changed()
     assert set(FILLED.values()) <= set(changed)
@@ -352,7 +356,9 @@ def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended):
         *("tests/checks/test_check_files.py", "tests/checks/test_check_progress.py"),
     )
     said = extended.run(*tests, "tests/solutions", "tests/book/test_chapters.py", "-k", new)
-    assert int(re.search(r"(\d+) passed", said)[1]) > 40
+    passed = re.search(r"(\d+) passed", said)
+    assert passed, said
+    assert int(passed[1]) > 40
     report = extended.run("-c", "from labutils.checks import report; print(report())")
     assert "0 of 9 exercises, 0 of 90 points in reach" in report
     assert re.search(r"^Ext test +points_to_pixels +0/3 +not started$", report, re.MULTILINE)
@@ -360,7 +366,7 @@ def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended):
 
 
 @pytest.mark.slow
-def test_the_book_with_a_new_chapter_is_built(extended):
+def test_the_book_with_a_new_chapter_is_built(extended: Copy) -> None:
     built = ROOT / "_build"
     if not (built / ".jupyter_cache").is_dir():
         pytest.skip("the book is not built; run `make book` first")

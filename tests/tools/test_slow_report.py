@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -21,7 +22,8 @@ from tests.helpers.slow_report import (
 )
 
 
-def end(nodeid, why=None):
+def end(nodeid: str, why: tuple[str, int, str] | None = None) -> Any:
+    # stands for a report of pytest
     return SimpleNamespace(nodeid=nodeid, longrepr=why)
 
 
@@ -34,7 +36,7 @@ STATS = {
 }
 
 
-def test_every_outcome_is_counted_by_file_and_read_back():
+def test_every_outcome_is_counted_by_file_and_read_back() -> None:
     results = collect_results(STATS)
     text = make_table(results, collect_reasons(STATS))
     assert text.startswith(MADE_BY)
@@ -47,7 +49,7 @@ def test_every_outcome_is_counted_by_file_and_read_back():
     }
 
 
-def test_what_failed_and_why_others_were_skipped_is_named():
+def test_what_failed_and_why_others_were_skipped_is_named() -> None:
     reasons = collect_reasons(STATS)
     assert reasons == [
         "failed: `tests/b/test_b.py::test_four`",
@@ -59,13 +61,15 @@ def test_what_failed_and_why_others_were_skipped_is_named():
     )
 
 
-def test_the_text_names_versions_and_no_date():
+def test_the_text_names_versions_and_no_date() -> None:
     text = make_table(collect_results(STATS), [])
     assert re.search(r"Python 3\.\d+, NumPy \d+\.\d+", text)
     assert not re.search(r"20\d\d-|\d\d:\d\d", text)
 
 
-def test_the_book_shows_a_green_result_of_the_slow_tests_that_there_are(request):
+def test_the_book_shows_a_green_result_of_the_slow_tests_that_there_are(
+    request: pytest.FixtureRequest,
+) -> None:
     if not request.config.stash[COMPLETE]:
         pytest.skip("counts the slow tests of all files, but only some files were collected")
     shown = read_table(TABLE.read_text(encoding="utf-8"))
@@ -74,6 +78,6 @@ def test_the_book_shows_a_green_result_of_the_slow_tests_that_there_are(request)
     assert counted == request.config.stash[COLLECTED], "run `make test-slow`"
 
 
-def test_the_book_shows_the_table():
+def test_the_book_shows_the_table() -> None:
     page = (ROOT / "book" / "architecture.md").read_text(encoding="utf-8")
     assert f"```{{include}} {TABLE.relative_to(ROOT / 'book').as_posix()}\n```" in page

@@ -7,11 +7,12 @@ variable NBVAL_NOISE names the file it writes.
 import json
 import os
 from pathlib import Path
+from typing import Any
 
-noise = []
+noise: list[dict[str, Any]] = []
 
 
-def pytest_runtest_teardown(item):
+def pytest_runtest_teardown(item: Any) -> None:
     """Look through what one cell put out."""
     tags = item.cell.metadata.get("tags", [])
     noise.extend(
@@ -21,6 +22,6 @@ def pytest_runtest_teardown(item):
     )
 
 
-def pytest_sessionfinish():
+def pytest_sessionfinish() -> None:
     """Write it down, also when there was nothing."""
     Path(os.environ["NBVAL_NOISE"]).write_text(json.dumps(noise), encoding="utf-8")

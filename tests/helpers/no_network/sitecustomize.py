@@ -6,11 +6,12 @@ cell can come to depend on the network unnoticed.
 
 import ipaddress
 import socket
+from typing import Any
 
 _connect = socket.socket.connect
 
 
-def _connect_here(self, address):
+def _connect_here(self: socket.socket, address: Any) -> None:
     if self.family in (socket.AF_INET, socket.AF_INET6):
         host = address[0]
         try:
@@ -22,4 +23,4 @@ def _connect_here(self, address):
     return _connect(self, address)
 
 
-socket.socket.connect = _connect_here
+socket.socket.connect = _connect_here  # type: ignore[method-assign,assignment]  # this is the cut

@@ -3,20 +3,24 @@
 import numpy as np
 
 
-def world_by_homogeneous(points, cam_xpos, cam_xmat):
+def world_by_homogeneous(
+    points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray
+) -> np.ndarray:
     T = np.eye(4)
     T[:3, :3] = np.reshape(cam_xmat, (3, 3)) * [1, -1, -1]
     T[:3, 3] = cam_xpos
     return (np.c_[points, np.ones(len(points))] @ T.T)[:, :3]
 
 
-def world_in_single_precision(points, cam_xpos, cam_xmat):
+def world_in_single_precision(
+    points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray
+) -> np.ndarray:
     rotation = np.asarray(cam_xmat, np.float32).reshape(3, 3)
-    turned = np.asarray(points, np.float32) * np.float32([1, -1, -1])
+    turned = np.asarray(points, np.float32) * np.array([1, -1, -1], np.float32)
     return np.einsum("ij,nj->ni", rotation, turned) + cam_xpos.astype(np.float32)
 
 
-def world_as_lists(points, cam_xpos, cam_xmat):
+def world_as_lists(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
     return world_by_homogeneous(points, cam_xpos, cam_xmat).reshape(-1, 3)
 
 

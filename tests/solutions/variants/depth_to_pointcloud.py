@@ -1,10 +1,14 @@
 """Right answers to depth_to_pointcloud, written in ways that the card does not contain."""
 
+from typing import Any
+
 import cv2
 import numpy as np
 
 
-def cloud_column_by_column(depth_metric, K, rgb_image):
+def cloud_column_by_column(
+    depth_metric: np.ndarray, K: np.ndarray, rgb_image: np.ndarray | None
+) -> tuple[list[Any], list[Any] | None]:
     points, colors = [], []
     for u in range(depth_metric.shape[1]):
         for v in range(depth_metric.shape[0]):
@@ -15,14 +19,18 @@ def cloud_column_by_column(depth_metric, K, rgb_image):
     return points, None if rgb_image is None else colors
 
 
-def cloud_by_inverse_matrix(depth_metric, K, rgb_image):
+def cloud_by_inverse_matrix(
+    depth_metric: np.ndarray, K: np.ndarray, rgb_image: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray | None]:
     v, u = np.nonzero((depth_metric > 0.01) & (depth_metric < 10))
     pixels = np.stack([u, v, np.ones_like(u)])
     points = (np.linalg.inv(K) @ pixels * depth_metric[v, u]).T
     return points, None if rgb_image is None else rgb_image[v, u] / 255.0
 
 
-def cloud_by_cv2_backwards(depth_metric, K, rgb_image):
+def cloud_by_cv2_backwards(
+    depth_metric: np.ndarray, K: np.ndarray, rgb_image: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray | None]:
     height, width = depth_metric.shape
     grid = np.stack(np.meshgrid(np.arange(width), np.arange(height)), -1).reshape(-1, 1, 2)
     slopes = cv2.undistortPoints(grid.astype(np.float64), K, None).reshape(-1, 2)

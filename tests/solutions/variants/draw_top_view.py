@@ -1,9 +1,17 @@
 """Right answers to draw_top_view, written in ways that the card does not contain."""
 
+from typing import Any
+
 import numpy as np
 
 
-def map_by_sorting(points_world, colors, low, high, pixels_per_meter):
+def map_by_sorting(
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> np.ndarray:
     order = np.argsort(points_world[:, 2])
     height, width = (round(float(side)) for side in (high - low) * pixels_per_meter)
     picture = np.zeros((height, width, 3), np.uint8)
@@ -14,7 +22,13 @@ def map_by_sorting(points_world, colors, low, high, pixels_per_meter):
     return picture
 
 
-def map_by_unique(points_world, colors, low, high, pixels_per_meter):
+def map_by_unique(
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> np.ndarray:
     size = np.rint((high - low) * pixels_per_meter).astype(int)
     place = np.floor((high - points_world[:, :2]) * pixels_per_meter).astype(int)
     keep = ((place >= 0) & (place < size)).all(axis=1)
@@ -26,7 +40,13 @@ def map_by_unique(points_world, colors, low, high, pixels_per_meter):
     return picture.round().astype(np.uint8).reshape(*size, 3)
 
 
-def map_as_lists(points_world, colors, low, high, pixels_per_meter):
+def map_as_lists(
+    points_world: np.ndarray,
+    colors: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+    pixels_per_meter: int,
+) -> list[Any]:
     return map_by_unique(points_world, colors, low, high, pixels_per_meter).tolist()
 
 

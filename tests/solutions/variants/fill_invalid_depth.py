@@ -3,7 +3,7 @@
 import numpy as np
 
 
-def fill_by_loop(depth_metric):
+def fill_by_loop(depth_metric: np.ndarray) -> np.ndarray:
     depth = np.where((depth_metric > 0.01) & (depth_metric < 10), depth_metric, 0).astype(float)
     while (holes := np.argwhere(depth == 0)).size:
         before = np.pad(depth, 1)
@@ -12,7 +12,7 @@ def fill_by_loop(depth_metric):
     return depth
 
 
-def fill_by_windows(depth_metric):
+def fill_by_windows(depth_metric: np.ndarray) -> np.ndarray:
     depth = np.nan_to_num(depth_metric, nan=0, posinf=0, neginf=0)
     depth[(depth <= 0.01) | (depth >= 10)] = 0
     while not depth.all():
@@ -21,7 +21,7 @@ def fill_by_windows(depth_metric):
     return depth
 
 
-def fill_as_lists(depth_metric):
+def fill_as_lists(depth_metric: np.ndarray) -> list[list[float]]:
     return fill_by_windows(depth_metric).tolist()
 
 

@@ -1,16 +1,21 @@
 """Right answers to get_camera_intrinsics, written in ways that the card does not contain."""
 
+from typing import Any
+
+import mujoco
 import numpy as np
 
 
-def intrinsics_by_diagonal(fov_y, width, height):
+def intrinsics_by_diagonal(fov_y: float, width: int, height: int) -> np.ndarray:
     K = np.eye(3, dtype=np.float32)
     K[0, 0] = K[1, 1] = height / (2 * np.tan(fov_y / 2))
     K[:2, 2] = (width - 1) / 2, (height - 1) / 2
     return K
 
 
-def camera_by_lookup(model, camera_name, width, height):
+def camera_by_lookup(
+    model: mujoco.MjModel, camera_name: str, width: int, height: int
+) -> tuple[np.ndarray, float]:
     names = [model.camera(number).name for number in range(model.ncam)]
     camera = names.index(camera_name)  # ValueError for an unknown name
     fov_y = np.radians(model.cam_fovy[camera])
@@ -26,12 +31,14 @@ def camera_by_lookup(model, camera_name, width, height):
     return K, fov_y
 
 
-def camera_in_single_precision(model, camera_name, width, height):
+def camera_in_single_precision(
+    model: mujoco.MjModel, camera_name: str, width: int, height: int
+) -> tuple[np.ndarray, np.float32]:
     K, fov_y = camera_by_lookup(model, camera_name, width, height)
     return K.astype(np.float32), np.float32(fov_y)
 
 
-def camera_as_lists(model, camera_name, width, height):
+def camera_as_lists(model: mujoco.MjModel, camera_name: str, width: int, height: int) -> list[Any]:
     K, fov_y = camera_by_lookup(model, camera_name, width, height)
     return [K.tolist(), np.array(fov_y)]
 

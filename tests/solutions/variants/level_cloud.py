@@ -1,10 +1,12 @@
 """Right answers to level_cloud, written in ways that the card does not contain."""
 
+from typing import Any
+
 import cv2
 import numpy as np
 
 
-def level_by_eigenvectors(points):
+def level_by_eigenvectors(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     rng, best = np.random.default_rng(5), (0, None)
     for _ in range(60):
         some = points[rng.permutation(len(points))[:3]]
@@ -24,7 +26,7 @@ def level_by_eigenvectors(points):
     return np.r_[normal, d], (R @ points.T).T + np.array([0, 0, d])
 
 
-def level_by_columns(points):
+def level_by_columns(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     plane, _ = level_by_eigenvectors(points)
     n, up = plane[:3], np.array([0.0, 0, 1])
     # Two reflections make the smallest rotation: at the plane of n, then at the plane between.
@@ -35,7 +37,7 @@ def level_by_columns(points):
     return plane, moved
 
 
-def level_as_lists(points):
+def level_as_lists(points: np.ndarray) -> tuple[list[Any], list[Any]]:
     plane, leveled = level_by_columns(points)
     return plane.tolist(), leveled.tolist()
 

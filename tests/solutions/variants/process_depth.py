@@ -3,17 +3,17 @@
 import numpy as np
 
 
-def depth_by_inverse(depth_raw, near, far):
+def depth_by_inverse(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     inverse = 1 / near + np.clip(depth_raw, 0, 1) * (1 / far - 1 / near)
     return 1 / inverse
 
 
-def depth_by_ndc(depth_raw, near, far):
+def depth_by_ndc(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     ndc = 2 * np.clip(depth_raw.astype(np.float64), 0, 1) - 1
     return 2 * near * far / (far + near - ndc * (far - near))
 
 
-def depth_in_place(depth_raw, near, far):
+def depth_in_place(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
     # It overwrites its argument, which may change no other case.
     depth_raw[depth_raw < 0] = 0
     depth_raw[depth_raw > 1] = 1
@@ -21,7 +21,7 @@ def depth_in_place(depth_raw, near, far):
     return depth_raw
 
 
-def depth_as_lists(depth_raw, near, far):
+def depth_as_lists(depth_raw: np.ndarray, near: float, far: float) -> list[list[float]]:
     return depth_by_ndc(depth_raw, near, far).tolist()
 
 

@@ -4,7 +4,9 @@ import cv2
 import numpy as np
 
 
-def visible_by_homogeneous(points_world, T_world_cam, K, depth_metric):
+def visible_by_homogeneous(
+    points_world: np.ndarray, T_world_cam: np.ndarray, K: np.ndarray, depth_metric: np.ndarray
+) -> tuple[np.ndarray, list[bool]]:
     points = np.linalg.solve(T_world_cam, np.c_[points_world, np.ones(len(points_world))].T)[:3]
     u, v, z = K @ points
     pixels = np.where(z > 0.01, [u / z, v / z], np.nan).T
@@ -20,7 +22,9 @@ def visible_by_homogeneous(points_world, T_world_cam, K, depth_metric):
     return pixels, seen
 
 
-def visible_by_cv2(points_world, T_world_cam, K, depth_metric):
+def visible_by_cv2(
+    points_world: np.ndarray, T_world_cam: np.ndarray, K: np.ndarray, depth_metric: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     back = np.linalg.inv(T_world_cam)
     turn, _ = cv2.Rodrigues(back[:3, :3])
     pixels = cv2.projectPoints(points_world, turn, back[:3, 3], K, None)[0][:, 0]
@@ -34,7 +38,9 @@ def visible_by_cv2(points_world, T_world_cam, K, depth_metric):
     return pixels, (found != -1) & ~hides
 
 
-def visible_in_single_precision(points_world, T_world_cam, K, depth_metric):
+def visible_in_single_precision(
+    points_world: np.ndarray, T_world_cam: np.ndarray, K: np.ndarray, depth_metric: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     pixels, seen = visible_by_homogeneous(points_world, T_world_cam, K, depth_metric)
     return pixels.astype(np.float32), np.array(seen)
 

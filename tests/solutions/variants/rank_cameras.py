@@ -5,7 +5,9 @@ import mujoco
 import numpy as np
 
 
-def rank_by_loop(model, data, point_world):
+def rank_by_loop(
+    model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
+) -> tuple[list[int], list[float]]:
     mujoco.mj_kinematics(model, data)
     mujoco.mj_camlight(model, data)
     pairs = [
@@ -15,15 +17,20 @@ def rank_by_loop(model, data, point_world):
     return [number for _, number in sorted(pairs)], [distance for distance, _ in sorted(pairs)]
 
 
-def rank_by_name(model, data, point_world):
+def rank_by_name(
+    model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     mujoco.mj_forward(model, data)
     names = [model.camera(n).name for n in range(model.ncam)]
     gaps = {n: cv2.norm(data.camera(n).xpos - point_world) for n in names}
-    names.sort(key=gaps.get)
-    return np.int32([model.camera(n).id for n in names]), np.float32([gaps[n] for n in names])
+    names.sort(key=lambda name: gaps[name])
+    ids = np.array([model.camera(n).id for n in names], np.int32)
+    return ids, np.array([gaps[n] for n in names], np.float32)
 
 
-def rank_as_tuples(model, data, point_world):
+def rank_as_tuples(
+    model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
+) -> tuple[tuple[int, ...], tuple[float, ...]]:
     ids, distances = rank_by_loop(model, data, point_world)
     return tuple(ids), tuple(distances)
 

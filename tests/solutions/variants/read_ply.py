@@ -1,9 +1,11 @@
 """Right answers to read_ply, written in ways that the card does not contain."""
 
+from typing import Any
+
 import numpy as np
 
 
-def ply_by_dictionary(text):
+def ply_by_dictionary(text: str) -> tuple[np.ndarray, np.ndarray | None]:
     header, body = text.split("end_header\n")
     vertex = header[header.index("element vertex") :].splitlines()
     count, names = int(vertex[0].split()[2]), []
@@ -22,12 +24,13 @@ def ply_by_dictionary(text):
     return points, np.stack([columns[n] for n in ("red", "green", "blue")], axis=1) / 255.0
 
 
-def ply_in_single_precision(text):
+def ply_in_single_precision(text: str) -> tuple[np.ndarray, np.ndarray | None]:
     points, colors = ply_by_dictionary(text)
-    return points.astype(np.float32)[::-1], None if colors is None else np.float32(colors)[::-1]
+    single = None if colors is None else colors.astype(np.float32)[::-1]
+    return points.astype(np.float32)[::-1], single
 
 
-def ply_as_lists(text):
+def ply_as_lists(text: str) -> tuple[list[Any], list[Any] | None]:
     points, colors = ply_by_dictionary(text)
     return points.tolist(), None if colors is None else colors.tolist()
 

@@ -4,7 +4,9 @@ import cv2
 import numpy as np
 
 
-def camera_by_matrix(points, pixels, fovs, width, height):
+def camera_by_matrix(
+    points: np.ndarray, pixels: np.ndarray, fovs: np.ndarray, width: int, height: int
+) -> tuple[int, float]:
     errors = []
     for fov in fovs:
         f = height / 2 / np.tan(fov / 2)
@@ -16,7 +18,9 @@ def camera_by_matrix(points, pixels, fovs, width, height):
     return best, errors[best]
 
 
-def camera_by_cv2(points, pixels, fovs, width, height):
+def camera_by_cv2(
+    points: np.ndarray, pixels: np.ndarray, fovs: np.ndarray, width: int, height: int
+) -> list[float]:
     best = (np.inf, 0)
     for number, fov in enumerate(fovs):
         f = height / 2 / np.tan(fov / 2)
@@ -26,8 +30,11 @@ def camera_by_cv2(points, pixels, fovs, width, height):
     return [best[1], best[0]]
 
 
-def camera_in_single_precision(points, pixels, fovs, width, height):
-    camera, error = camera_by_matrix(np.float32(points), np.float32(pixels), fovs, width, height)
+def camera_in_single_precision(
+    points: np.ndarray, pixels: np.ndarray, fovs: np.ndarray, width: int, height: int
+) -> tuple[np.int64, np.float32]:
+    places, found = points.astype(np.float32), pixels.astype(np.float32)
+    camera, error = camera_by_matrix(places, found, fovs, width, height)
     return np.int64(camera), np.float32(error)
 
 
