@@ -5,17 +5,22 @@ Taught in: step 4.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import cv2
 import numpy as np
 
 from labutils._constants import MAX_HUE, HsvRange
 from labutils._guards import check_hsv_range, check_mask, check_rgb_image
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
 #: Opening with it removes specks up to 4 pixels wide; closing fills such holes.
 _KERNEL = np.ones((5, 5), dtype=np.uint8)
 
 
-def segment_by_color(rgb_image: np.ndarray, target_hsv_range: HsvRange) -> np.ndarray:
+def segment_by_color(rgb_image: ArrayLike, target_hsv_range: HsvRange) -> np.ndarray:
     """Mark the pixels whose color lies in an HSV range, cleaned of specks and holes.
 
     Convention
@@ -59,7 +64,7 @@ def segment_by_color(rgb_image: np.ndarray, target_hsv_range: HsvRange) -> np.nd
     return cv2.morphologyEx(mask, cv2.MORPH_CLOSE, _KERNEL)
 
 
-def find_object_centroid(mask: np.ndarray) -> tuple[int, int] | None:
+def find_object_centroid(mask: ArrayLike) -> tuple[int, int] | None:
     """Find the center of the largest object in a mask.
 
     Convention
@@ -93,7 +98,7 @@ def find_object_centroid(mask: np.ndarray) -> tuple[int, int] | None:
 
 
 def visualize_detection(
-    rgb_image: np.ndarray, centroid: tuple[int, int] | None, mask: np.ndarray | None = None
+    rgb_image: ArrayLike, centroid: tuple[int, int] | None, mask: ArrayLike | None = None
 ) -> np.ndarray:
     """Draw a detection on a copy of the picture.
 

@@ -16,6 +16,7 @@ from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_r
 
 if TYPE_CHECKING:
     import mujoco
+    from numpy.typing import ArrayLike
 
     from labutils.renderers.protocol import Renderer
 
@@ -64,7 +65,7 @@ def render_raw_depth(
     return reader.read_raw_depth(model, renderer)
 
 
-def visualize_depth(depth_metric: np.ndarray, max_depth: float = 5.0) -> np.ndarray:
+def visualize_depth(depth_metric: ArrayLike, max_depth: float = 5.0) -> np.ndarray:
     """Color a depth image: blue close, red far.
 
     Parameters

@@ -14,6 +14,7 @@ from labutils._guards import check_depth_limits, check_real_array
 
 if TYPE_CHECKING:
     import mujoco
+    from numpy.typing import ArrayLike
 
 
 def get_clip_planes(model: mujoco.MjModel) -> tuple[float, float]:
@@ -37,7 +38,7 @@ def get_clip_planes(model: mujoco.MjModel) -> tuple[float, float]:
     return near, far
 
 
-def process_depth(depth_raw: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
+def process_depth(depth_raw: ArrayLike, near: float = 0.01, far: float = 10.0) -> np.ndarray:
     """Turn window-space depth into meters.
 
     Convention
@@ -80,7 +81,7 @@ def process_depth(depth_raw: np.ndarray, near: float = 0.01, far: float = 10.0) 
     return (near * far / (far - raw * (far - near))).astype(dtype)
 
 
-def metric_to_raw(depth_metric: np.ndarray, near: float = 0.01, far: float = 10.0) -> np.ndarray:
+def metric_to_raw(depth_metric: ArrayLike, near: float = 0.01, far: float = 10.0) -> np.ndarray:
     """Turn meters into window-space depth: the inverse of `process_depth`.
 
     Parameters
@@ -108,7 +109,7 @@ def metric_to_raw(depth_metric: np.ndarray, near: float = 0.01, far: float = 10.
 
 
 def find_valid_depth(
-    depth_metric: np.ndarray, min_depth: float = MIN_DEPTH, max_depth: float = MAX_DEPTH
+    depth_metric: ArrayLike, min_depth: float = MIN_DEPTH, max_depth: float = MAX_DEPTH
 ) -> np.ndarray:
     """Mark the pixels whose depth is a surface.
 

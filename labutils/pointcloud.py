@@ -6,6 +6,8 @@ Taught in: step 5 (back-projection, frames) and step 6 (viewing).
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from labutils._back_projection import back_project
@@ -23,6 +25,9 @@ from labutils.projection import (
     world_to_camera,
 )
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
 __all__ = [
     "camera_to_world",
     "depth_to_pointcloud",
@@ -34,7 +39,7 @@ __all__ = [
 
 
 def depth_to_pointcloud(
-    depth_metric: np.ndarray, K: np.ndarray, rgb_image: np.ndarray | None = None
+    depth_metric: ArrayLike, K: ArrayLike, rgb_image: ArrayLike | None = None
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """Back-project a depth image into colored points.
 
@@ -91,7 +96,7 @@ def depth_to_pointcloud(
     return back_project(depth, K, rgb)
 
 
-def visualize_pointcloud(points: np.ndarray, colors: np.ndarray | None = None) -> object | None:
+def visualize_pointcloud(points: ArrayLike, colors: ArrayLike | None = None) -> object | None:
     """Show a point cloud: in an Open3D window, or as a picture where there is no screen.
 
     Parameters

@@ -5,13 +5,18 @@ Stands on NumPy alone. Taught in: step 5.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from labutils._constants import FLIP_YZ
 from labutils._guards import check_columns, check_intrinsics, check_pose, check_real_array
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
-def pixels_to_points(pixels: np.ndarray, depth: np.ndarray, K: np.ndarray) -> np.ndarray:
+
+def pixels_to_points(pixels: ArrayLike, depth: ArrayLike, K: ArrayLike) -> np.ndarray:
     """Back-project single pixels.
 
     Parameters
@@ -45,7 +50,7 @@ def pixels_to_points(pixels: np.ndarray, depth: np.ndarray, K: np.ndarray) -> np
     return np.stack([x, y, z], axis=1)
 
 
-def points_to_pixels(points: np.ndarray, K: np.ndarray) -> np.ndarray:
+def points_to_pixels(points: ArrayLike, K: ArrayLike) -> np.ndarray:
     """Project points of the camera frame into the picture.
 
     Parameters
@@ -73,7 +78,7 @@ def points_to_pixels(points: np.ndarray, K: np.ndarray) -> np.ndarray:
     return np.stack([u, v], axis=1)
 
 
-def camera_to_world(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
+def camera_to_world(points: ArrayLike, cam_xpos: ArrayLike, cam_xmat: ArrayLike) -> np.ndarray:
     """Move points from the OpenCV camera frame into the world.
 
     Convention
@@ -104,7 +109,7 @@ def camera_to_world(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarr
     return points @ (rotation @ FLIP_YZ).T + position
 
 
-def world_to_camera(points: np.ndarray, cam_xpos: np.ndarray, cam_xmat: np.ndarray) -> np.ndarray:
+def world_to_camera(points: ArrayLike, cam_xpos: ArrayLike, cam_xmat: ArrayLike) -> np.ndarray:
     """Move points from the world into the OpenCV camera frame: undoes `camera_to_world`.
 
     Parameters

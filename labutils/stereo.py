@@ -8,17 +8,20 @@ left camera's unless a name says otherwise. Stands on NumPy alone. Taught in: st
 from __future__ import annotations
 
 import numbers
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from labutils._guards import check_intrinsics, check_positive, check_real_array
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
 #: What becomes of a pixel of the left picture in the right one.
 OUTSIDE, SEEN, HIDDEN = range(3)
 
 
-def depth_to_disparity(depth_metric: np.ndarray, K: np.ndarray, baseline: float) -> np.ndarray:
+def depth_to_disparity(depth_metric: ArrayLike, K: ArrayLike, baseline: float) -> np.ndarray:
     """Compute how many columns farther left the right camera sees a point.
 
     Convention
@@ -59,7 +62,7 @@ def depth_to_disparity(depth_metric: np.ndarray, K: np.ndarray, baseline: float)
     return product / np.where(depth > 0, depth, np.nan)
 
 
-def disparity_to_depth(disparity: np.ndarray, K: np.ndarray, baseline: float) -> np.ndarray:
+def disparity_to_depth(disparity: ArrayLike, K: ArrayLike, baseline: float) -> np.ndarray:
     """Compute the depth that a disparity stands for: the inverse of `depth_to_disparity`.
 
     Parameters
@@ -88,7 +91,7 @@ def disparity_to_depth(disparity: np.ndarray, K: np.ndarray, baseline: float) ->
 
 
 def find_depth_interval(
-    depth_metric: np.ndarray, match_error: float, K: np.ndarray, baseline: float
+    depth_metric: ArrayLike, match_error: float, K: ArrayLike, baseline: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Find the depths that a point may have if its match may be some pixels off.
 
@@ -132,7 +135,7 @@ def find_depth_interval(
 
 
 def find_depth_error(
-    depth_metric: np.ndarray, match_error: float, K: np.ndarray, baseline: float
+    depth_metric: ArrayLike, match_error: float, K: ArrayLike, baseline: float
 ) -> np.ndarray:
     """Compute the largest depth error of a match that may be some pixels off.
 
@@ -173,7 +176,7 @@ def find_depth_error(
 
 
 def find_linear_depth_error(
-    depth_metric: np.ndarray, match_error: float, K: np.ndarray, baseline: float
+    depth_metric: ArrayLike, match_error: float, K: ArrayLike, baseline: float
 ) -> np.ndarray:
     """Compute the depth error for a small match error: ``Z^2 e / (f b)``.
 
@@ -204,7 +207,7 @@ def find_linear_depth_error(
     return np.where(depth > 0, depth, np.nan) ** 2 * error / _multiply(K, baseline)
 
 
-def find_right_state(u: int, disparity_row: np.ndarray) -> int:
+def find_right_state(u: int, disparity_row: ArrayLike) -> int:
     """Tell whether the right camera sees the point of one pixel.
 
     Convention
@@ -251,7 +254,7 @@ def find_right_state(u: int, disparity_row: np.ndarray) -> int:
     return HIDDEN if covers.any() else SEEN
 
 
-def _multiply(K: np.ndarray, baseline: float) -> float:
+def _multiply(K: ArrayLike, baseline: float) -> float:
     """Return f b, in pixels times meters."""
     return float(check_intrinsics(K)[0, 0]) * check_positive("baseline", baseline, "meters")
 

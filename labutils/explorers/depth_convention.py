@@ -48,8 +48,8 @@ class DepthConventionView(View):
     def compute(self) -> dict[str, Any]:
         """Compute the depth, what wrong formulas would make of it, and the steps of the buffers."""
         raw, near, far = self.raw, self.near, self.far
-        depth = float(process_depth(np.float64(raw), near, far))  # type: ignore[arg-type]
-        reversed_depth = float(process_depth(np.float64(1 - raw), near, far))  # type: ignore[arg-type]
+        depth = float(process_depth(np.float64(raw), near, far))
+        reversed_depth = float(process_depth(np.float64(1 - raw), near, far))
         return {
             "depth": depth,
             "linear_error": near + raw * (far - near) - depth,

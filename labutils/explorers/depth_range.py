@@ -97,7 +97,7 @@ class DepthRangeView(PixelView):
         }
 
     def _to_raw(self, depth: np.ndarray | np.float64) -> np.ndarray:
-        return metric_to_raw(depth, *self.clip_m)  # type: ignore[arg-type]
+        return metric_to_raw(depth, *self.clip_m)
 
     def describe(self) -> str:
         """Say how much of the picture lies in the range, and where the raw buffer keeps it."""

@@ -46,11 +46,11 @@ def test_depth_and_wrong_readings_follow_from_process_depth() -> None:
         explorer = compute(*case)
         raw, near, far = explorer.raw, explorer.near, explorer.far
         values = explorer.values
-        assert explorer.depth == process_depth(np.float64(raw), near, far)  # type: ignore[arg-type]  # array-like
-        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)  # type: ignore[arg-type]  # array-like
+        assert explorer.depth == process_depth(np.float64(raw), near, far)
+        assert metric_to_raw(explorer.depth, near, far) == pytest.approx(raw, abs=1e-12)
         linear = np.interp(raw, [0, 1], [near, far])
         assert values["linear_error"] == pytest.approx(linear - explorer.depth, abs=1e-12 * far)
-        reversed_depth = process_depth(np.float64(1 - raw), near, far)  # type: ignore[arg-type]  # array-like
+        reversed_depth = process_depth(np.float64(1 - raw), near, far)
         assert values["reversed_error"] == reversed_depth - explorer.depth
 
 
@@ -90,7 +90,7 @@ def test_float_levels_are_neighbors_around_the_value() -> None:
 def test_float_steps_are_those_of_step_3() -> None:
     """The chapter measures them with np.spacing: a third of a millimeter at 10 m."""
     near, far, z = 0.02, 12.0, 10.0
-    raw = float(metric_to_raw(z, near, far))  # type: ignore[arg-type]  # array-like
+    raw = float(metric_to_raw(z, near, far))
     values = compute(raw, explore_depth_convention(near).view.near_place, far).values
     mm_per_unit = 1000 * z**2 * (far - near) / (near * far)
     for key, buffer in (("step_float_mm", raw), ("step_reversed_mm", 1 - raw)):

@@ -81,7 +81,7 @@ def test_raw_values_crowd_at_one(explorer: DepthRangeExplorer) -> None:
     values = explorer.values
     assert values["raw_closest"] > 0.95
     assert np.count_nonzero(values["raw_bins"]) <= 3 < np.count_nonzero(values["metric_bins"])
-    assert values["raw_range"] == pytest.approx(metric_to_raw([0.8, 1.9], *CLIP).tolist())  # type: ignore[arg-type]  # array-like
+    assert values["raw_range"] == pytest.approx(metric_to_raw([0.8, 1.9], *CLIP).tolist())
 
 
 def test_a_pixel_is_read_in_meters_and_raw(explorer: DepthRangeExplorer, depth: np.ndarray) -> None:

@@ -63,7 +63,7 @@ def test_result_is_float32_unless_float64_came_in(
 
 
 def test_lists_and_integers_are_accepted() -> None:
-    assert process_depth([[0, 1]], 1, 2).shape == (1, 2)  # type: ignore[arg-type]  # array-like
+    assert process_depth([[0, 1]], 1, 2).shape == (1, 2)
 
 
 @pytest.mark.parametrize(
@@ -150,9 +150,9 @@ def test_depth_picture_is_black_exactly_where_there_is_no_surface() -> None:
 
 
 def test_depth_picture_scales_with_max_depth() -> None:
-    assert_array_equal(visualize_depth([[1.0]], 2.0), visualize_depth([[2.5]], 5.0))  # type: ignore[arg-type]  # array-like
+    assert_array_equal(visualize_depth([[1.0]], 2.0), visualize_depth([[2.5]], 5.0))
     table = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[None], cv2.COLORMAP_TURBO)
-    assert_array_equal(visualize_depth([[5.0]])[0, 0], table[0, 255])  # type: ignore[arg-type]  # array-like
+    assert_array_equal(visualize_depth([[5.0]])[0, 0], table[0, 255])
 
 
 @pytest.mark.parametrize(

@@ -145,22 +145,22 @@ def test_projecting_undoes_back_projecting(K: np.ndarray) -> None:
 
 
 def test_points_behind_the_camera_have_no_pixel(K: np.ndarray) -> None:
-    pixels = points_to_pixels([[0, 0, 1.0], [0, 0, 0.0], [0, 0, -1.0]], K)  # type: ignore[arg-type]  # array-like
+    pixels = points_to_pixels([[0, 0, 1.0], [0, 0, 0.0], [0, 0, -1.0]], K)
     assert_allclose(pixels[0], [K[0, 2], K[1, 2]], rtol=0, atol=EXACT)
     assert np.isnan(pixels[1:]).all()
 
 
 def test_nan_depth_gives_a_nan_point(K: np.ndarray) -> None:
-    assert np.isnan(pixels_to_points([[3, 4]], [np.nan], K)).all()  # type: ignore[arg-type]  # array-like
+    assert np.isnan(pixels_to_points([[3, 4]], [np.nan], K)).all()
 
 
 def test_pixels_and_depths_must_match(K: np.ndarray) -> None:
     with pytest.raises(ValueError, match=r"depth: expected one value per pixel \(2\)"):
-        pixels_to_points([[1, 2], [3, 4]], [1.0], K)  # type: ignore[arg-type]  # array-like
+        pixels_to_points([[1, 2], [3, 4]], [1.0], K)
     with pytest.raises(ValueError, match=r"pixels: expected shape \(N, 2\)"):
-        pixels_to_points([1, 2], [1.0], K)  # type: ignore[arg-type]  # array-like
+        pixels_to_points([1, 2], [1.0], K)
     with pytest.raises(ValueError, match=r"points: expected shape \(N, 3\)"):
-        points_to_pixels([[1, 2]], K)  # type: ignore[arg-type]  # array-like
+        points_to_pixels([[1, 2]], K)
 
 
 def test_world_and_camera_frames_undo_each_other() -> None:
@@ -179,7 +179,7 @@ def test_world_and_camera_frames_undo_each_other() -> None:
 def test_a_camera_with_mujocos_axes_looks_down_its_negative_z() -> None:
     # With cam_xmat = identity MuJoCo looks along world -z, y up; forward in OpenCV is +z.
     points = [[0, 0, 2.0], [1.0, 0, 0], [0, 1.0, 0]]
-    ahead, right, below = camera_to_world(points, [10, 20, 30], np.eye(3))  # type: ignore[arg-type]  # array-like
+    ahead, right, below = camera_to_world(points, [10, 20, 30], np.eye(3))
     assert_allclose(ahead, [10, 20, 28], rtol=0, atol=EXACT)
     assert_allclose(right, [11, 20, 30], rtol=0, atol=EXACT)
     assert_allclose(below, [10, 19, 30], rtol=0, atol=EXACT)

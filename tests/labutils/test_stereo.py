@@ -52,9 +52,9 @@ def test_depth_comes_back_from_its_disparity(K: np.ndarray, depths: np.ndarray) 
 
 def test_what_no_point_in_front_has_is_nan_and_infinity_is_kept(K: np.ndarray) -> None:
     depth = [np.nan, 0.0, -1.0, np.inf]
-    assert_array_equal(depth_to_disparity(depth, K, BASELINE), [np.nan, np.nan, np.nan, 0.0])  # type: ignore[arg-type]  # array-like
+    assert_array_equal(depth_to_disparity(depth, K, BASELINE), [np.nan, np.nan, np.nan, 0.0])
     disparity = [np.nan, -0.5, 0.0, -0.0]
-    assert_array_equal(disparity_to_depth(disparity, K, BASELINE), [np.nan, np.nan, np.inf, np.inf])  # type: ignore[arg-type]  # array-like
+    assert_array_equal(disparity_to_depth(disparity, K, BASELINE), [np.nan, np.nan, np.inf, np.inf])
 
 
 def test_the_ends_of_the_interval_have_a_disparity_one_error_away(
@@ -75,7 +75,7 @@ def test_the_ends_of_the_interval_have_a_disparity_one_error_away(
 
 def test_a_disparity_no_larger_than_its_error_has_no_far_end(K: np.ndarray) -> None:
     disparity = 2.0
-    depth = disparity_to_depth(disparity, K, BASELINE)  # type: ignore[arg-type]  # array-like
+    depth = disparity_to_depth(disparity, K, BASELINE)
     d = float(depth_to_disparity(depth, K, BASELINE))
     for error, bounded in ((np.nextafter(d, 0), True), (d, False), (d + 1, False)):
         near, far = find_depth_interval(depth, error, K, BASELINE)
@@ -117,10 +117,10 @@ def test_the_linear_error_is_the_limit_for_small_errors_and_never_larger(
 def test_the_linear_error_grows_with_the_square_of_the_depth_and_falls_with_the_baseline(
     K: np.ndarray,
 ) -> None:
-    first = find_linear_depth_error(1.5, 0.5, K, BASELINE)  # type: ignore[arg-type]  # array-like
-    assert_allclose(find_linear_depth_error(3.0, 0.5, K, BASELINE), 4 * first, rtol=EXACT)  # type: ignore[arg-type]  # array-like
-    assert_allclose(find_linear_depth_error(1.5, 1.0, K, BASELINE), 2 * first, rtol=EXACT)  # type: ignore[arg-type]  # array-like
-    assert_allclose(find_linear_depth_error(1.5, 0.5, K, 2 * BASELINE), first / 2, rtol=EXACT)  # type: ignore[arg-type]  # array-like
+    first = find_linear_depth_error(1.5, 0.5, K, BASELINE)
+    assert_allclose(find_linear_depth_error(3.0, 0.5, K, BASELINE), 4 * first, rtol=EXACT)
+    assert_allclose(find_linear_depth_error(1.5, 1.0, K, BASELINE), 2 * first, rtol=EXACT)
+    assert_allclose(find_linear_depth_error(1.5, 0.5, K, 2 * BASELINE), first / 2, rtol=EXACT)
 
 
 @pytest.mark.parametrize("function", [find_depth_error, find_linear_depth_error])
@@ -129,7 +129,7 @@ def test_errors_of_what_is_no_depth_are_nan(K: np.ndarray, function: Callable[..
 
 
 def test_the_interval_of_what_is_no_depth_is_nan(K: np.ndarray) -> None:
-    for end in find_depth_interval([np.nan, 0.0, -2.0], 0.5, K, BASELINE):  # type: ignore[arg-type]  # array-like
+    for end in find_depth_interval([np.nan, 0.0, -2.0], 0.5, K, BASELINE):
         assert np.isnan(end).all()
 
 

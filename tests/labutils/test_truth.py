@@ -98,7 +98,7 @@ def test_a_found_pixel_lands_on_the_objects_true_surface(
     K, _ = get_camera_intrinsics(model, "head_camera", width, height)
     cam_id = model.camera("head_camera").id
     v, u = np.round(np.argwhere(labels == model.body("red_ball").id).mean(axis=0)).astype(int)
-    point = pixels_to_points([[u, v]], [depth[v, u]], K)  # type: ignore[arg-type]  # array-like
+    point = pixels_to_points([[u, v]], [depth[v, u]], K)
     world = camera_to_world(point, data.cam_xpos[cam_id], data.cam_xmat[cam_id])[0]
     radius = model.geom_size[model.body_geomadr[model.body("red_ball").id], 0]
     distance = np.linalg.norm(world - data.body("red_ball").xpos)
