@@ -13,9 +13,6 @@ import traitlets
 from labutils import (
     HSV_RANGES,
     find_object_centroid,
-    make_renderer,
-    make_scene,
-    render_camera,
     segment_by_color,
 )
 from labutils.explorers import explore_hsv
@@ -23,15 +20,6 @@ from labutils.explorers._base import encode_rgb
 from labutils.explorers._modules import join_modules
 from labutils.explorers.hsv import FULL_RANGE
 from tests.helpers.node import run_node
-
-
-@pytest.fixture(scope="module")
-def rgb() -> np.ndarray:
-    model, data = make_scene()
-    renderer = make_renderer(model, 480, 640)
-    picture, _ = render_camera(model, data, renderer, "head_camera")
-    renderer.close()
-    return picture
 
 
 def test_the_explorer_starts_with_the_limits_it_is_given_and_shows_every_color_without(

@@ -9,14 +9,10 @@ from typing import Any
 
 import cv2
 import numpy as np
-import pytest
 
 from labutils import (
     HSV_RANGES,
     find_object_centroid,
-    make_renderer,
-    make_scene,
-    render_camera,
 )
 from labutils.explorers import explore_hsv
 from labutils.explorers.hsv import FULL_RANGE, MAX_RADIUS
@@ -82,15 +78,6 @@ def paint(mask: np.ndarray) -> np.ndarray:
 
 #: Selects the white pixels.
 WHITE = [[0, 0, 255], [179, 255, 255]]
-
-
-@pytest.fixture(scope="module")
-def rgb() -> np.ndarray:
-    model, data = make_scene()
-    renderer = make_renderer(model, 480, 640)
-    picture, _ = render_camera(model, data, renderer, "head_camera")
-    renderer.close()
-    return picture
 
 
 def test_javascript_converts_all_colors_as_opencv_does() -> None:

@@ -2,8 +2,23 @@
 
 const SPEAK_AFTER_MS = 700; // a screen reader hears the value one stops at, not all in between
 
+/** Make a view, as anywidget wants it, of what fills its frame; what goes wrong stands in it. */
+export function defineView(name, start) {
+  return {
+    async render({ model, el }) {
+      const frame = makeFrame({ model, el }, name);
+      try {
+        await start(model, frame);
+      } catch (error) {
+        frame.fail(error);
+      }
+      return () => frame.destroy();
+    },
+  };
+}
+
 /** Build the frame of an explorer inside `el`. */
-export function makeFrame({ model, el }, name) {
+function makeFrame({ model, el }, name) {
   const root = make("div", "explorer", el);
   root.dataset.explorer = name;
   root.dataset.state = "loading";

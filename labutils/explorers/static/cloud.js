@@ -5,7 +5,7 @@ import { makeCanvasPainter } from "./_cloud_canvas.js";
 import { makeGlPainter } from "./_cloud_gl.js";
 import { makeMarks } from "./_cloud_marks.js";
 import { assumeIntrinsics, colorPoints, findPoint, makeCounter, measureAngle } from "./_cloud_points.js";
-import { drawOnChange, make, makeCanvas, makeFrame, setTraits } from "./_frame.js";
+import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
 import { FROM_WORLD, STAY, focalOfView, joinTransforms, makeEyeTransform } from "./_orbit.js";
 import { makeOrbitButtons, makeOrbitControls } from "./_orbit_controls.js";
 import { makePicker } from "./_picker.js";
@@ -14,17 +14,7 @@ import { makeSplatBuffer, pickDrawn, splatPoints } from "./_splat.js";
 
 const SCALE_NAMES = ["", "depth", "height"];
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "cloud");
-    try {
-      await start(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("cloud", start);
 
 async function start(model, frame) {
   const [image, depth] = await Promise.all([

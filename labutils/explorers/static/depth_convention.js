@@ -2,7 +2,7 @@
 
 import { floatLevels, gapMm, integerLevels, metricToRaw } from "./_depth.js";
 import { processDepth, reversedGapMm } from "./_depth.js";
-import { drawOnChange, make, makeFrame, setTraits } from "./_frame.js";
+import { defineView, drawOnChange, make, setTraits } from "./_frame.js";
 import { addShape, makePlot, PLOT_WIDTH, setShape, toPath } from "./_plot.js";
 
 const CURVE_POINTS = 240;
@@ -10,17 +10,7 @@ const FINE_STEP = 0.01; // meters per arrow key
 const BUFFERS = { step16_mm: "16-bit integer", step24_mm: "24-bit integer" };
 Object.assign(BUFFERS, { step_float_mm: "float32", step_reversed_mm: "float32, reversed" });
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "depth-convention");
-    try {
-      start(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("depth-convention", start);
 
 function start(model, frame) {
   const pair = make("div", "explorer-pair", frame.stage);

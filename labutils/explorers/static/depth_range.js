@@ -4,24 +4,14 @@ import { metricToRaw } from "./_depth.js";
 import { FARTHER, INSIDE, LEVELS, NEARER, NO_SURFACE } from "./_depth_picture.js";
 import { binMetric, binRaw, countKinds, countSteps, findKind } from "./_depth_picture.js";
 import { findStripe, paintDepth, readTable, toStep } from "./_depth_picture.js";
-import { drawOnChange, make, makeCanvas, makeFrame } from "./_frame.js";
+import { defineView, drawOnChange, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
 import { addShape, makePlot, setShape } from "./_plot.js";
 import { decodePng } from "./_png.js";
 
 const BINS = 50;
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "depth-range");
-    try {
-      await start(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("depth-range", start);
 
 async function start(model, frame) {
   const { width, height, data: pixels } = await decodePng(model.get("depth_png"));

@@ -2,21 +2,11 @@
 // exactly the middle of it. Mirrors labutils.camera_utils.intrinsics_matrix.
 
 import { fovFromFocal, intrinsicsMatrix } from "./_camera.js";
-import { drawOnChange, make, makeCanvas, makeFrame } from "./_frame.js";
+import { defineView, drawOnChange, make, makeCanvas } from "./_frame.js";
 import { decodePng, toImageData } from "./_png.js";
 import { drawTopView, makeTopView } from "./_top_view.js";
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "fov");
-    try {
-      await start(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("fov", start);
 
 async function start(model, frame) {
   const image = toImageData(await decodePng(model.get("wide_png")));

@@ -1,7 +1,7 @@
 // HSV limits: what they select, what opening and closing make of it, and where its middle is. The
 // same as labutils.segment_by_color and find_object_centroid; a reader's own picture stays here.
 
-import { drawOnChange, make, makeCanvas, makeFrame, setTraits } from "./_frame.js";
+import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
 import { makeHueRing } from "./_hue_ring.js";
 import { acceptPictures } from "./_own_picture.js";
 import { makeOverlay } from "./_overlay.js";
@@ -20,17 +20,7 @@ const TRAITS = [
   "pixel",
 ];
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "hsv");
-    try {
-      await startHsv(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("hsv", startHsv);
 
 async function startHsv(model, frame) {
   const scene = await decodePng(model.get("rgb_png"));

@@ -1,7 +1,7 @@
 // Stereo baseline: a point, where the right eye sees it, and how well its depth can be known.
 
 import { toStep } from "./_depth_picture.js";
-import { drawOnChange, make, makeCanvas, makeFrame } from "./_frame.js";
+import { defineView, drawOnChange, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
 import { addShape, makePlot, setShape, toPath } from "./_plot.js";
 import { decodePng, toImageData } from "./_png.js";
@@ -11,17 +11,7 @@ import { findRightState, HIDDEN, OUTSIDE } from "./_stereo.js";
 
 const [NEAREST, FARTHEST, CURVE_STEPS] = [0.1, 10, 100];
 
-export default {
-  async render({ model, el }) {
-    const frame = makeFrame({ model, el }, "stereo");
-    try {
-      await start(model, frame);
-    } catch (error) {
-      frame.fail(error);
-    }
-    return () => frame.destroy();
-  },
-};
+export default defineView("stereo", start);
 
 async function start(model, frame) {
   const picture = toImageData(await decodePng(model.get("rgb_png")));
