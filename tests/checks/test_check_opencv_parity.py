@@ -31,6 +31,7 @@ def test_verdicts_agree_with_the_opencv_of_the_browser(tmp_path: Path) -> None:
     wanted = [
         f"numpy=={version('numpy')}",
         f"mujoco=={version('mujoco')}",
+        f"PyYAML=={version('PyYAML')}",
         f"opencv-python-headless=={BROWSER_OPENCV}",
     ]
     done = subprocess.run(

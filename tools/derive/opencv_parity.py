@@ -1,7 +1,8 @@
 """Print the verdict of every reference, mistake, pair and starter, one per line.
 
 Run with two versions of OpenCV and compare the output: it has to be the same. The version is named
-on standard error. Needs NumPy, OpenCV and MuJoCo, nothing else.
+on standard error. Needs NumPy, OpenCV, MuJoCo and, for the registry of chapters,
+PyYAML; nothing else.
 
 Usage: ``python -m tools.derive.opencv_parity``.
 """

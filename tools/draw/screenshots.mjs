@@ -1,7 +1,7 @@
 // Look at every page of the built book, as a reader with a browser would.
 //
-//   python tools/vendor_frontend.py --tests     (once: fetches the browser driver)
-//   node tools/screenshots.mjs _build/html OUT [page ...]
+//   make book                                   (fetches the browser driver too)
+//   node tools/draw/screenshots.mjs _build/html OUT [page ...]
 //
 // Writes OUT/<page>.<light|dark>.<desktop|phone>[.<part>].png and prints, per page, console errors,
 // failed or foreign requests, sideways scrolling at 360 px and images without alternative
@@ -21,7 +21,7 @@ const TALLEST = 7000; // px; of a taller window Chromium repeats the top
 
 const [folder, out, ...wanted] = process.argv.slice(2);
 if (!folder || !out) {
-  console.error("usage: node tools/screenshots.mjs HTML_FOLDER OUT [page ...]");
+  console.error("usage: node tools/draw/screenshots.mjs HTML_FOLDER OUT [page ...]");
   process.exit(2);
 }
 const site = pathToFileURL(resolve(folder) + "/").href;
