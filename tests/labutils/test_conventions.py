@@ -32,15 +32,20 @@ def test_pixel_center_is_the_integer_so_the_middle_is_half_of_width_minus_one() 
     assert_allclose(K[:2, 2], [320.0, 150.0], rtol=0, atol=EXACT)
 
 
+def see_by_both(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[np.ndarray, np.ndarray]:
+    """Return the depth of the sensor camera as it is drawn, and as rays find it."""
+    with make_renderer(model, 301, 401) as renderer:
+        _, depth = render_camera(model, data, renderer, "sensor")
+    return depth, raycast_depth(model, data, "sensor", 401, 301)
+
+
 def test_half_a_pixel_shows_against_the_rays(
     asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
 ) -> None:
     # With (W-1)/2 depth agrees with the rays far below 0.01 mm; rays through W/2 hit the tilted
     # cube elsewhere, which is worth 0.1 mm and more.
     model, data = asymmetric
-    with make_renderer(model, 301, 401) as renderer:
-        _, depth = render_camera(model, data, renderer, "sensor")
-    truth = raycast_depth(model, data, "sensor", 401, 301)
+    depth, truth = see_by_both(model, data)
     on_cube = np.abs(truth - 1.5) < 0.1
     ours_mm = 1000 * np.abs(depth - truth)[on_cube]
     K, _ = get_camera_intrinsics(model, "sensor", 401, 301)
@@ -88,10 +93,7 @@ def test_intrinsics_put_a_body_where_the_picture_shows_it(
 def test_opengl_draws_the_same_pixels_as_the_intrinsics_say(
     asymmetric: tuple[mujoco.MjModel, mujoco.MjData],
 ) -> None:
-    model, data = asymmetric
-    with make_renderer(model, 301, 401) as renderer:
-        _, depth = render_camera(model, data, renderer, "sensor")
-    truth = raycast_depth(model, data, "sensor", 401, 301)
+    depth, truth = see_by_both(*asymmetric)
     drawn = np.argwhere(np.abs(depth - 1.97) < 0.05).mean(axis=0)
     cast = np.argwhere(np.abs(truth - 1.97) < 0.05).mean(axis=0)
     # The outlines may differ in a few pixels: MuJoCo draws the ball as a polygon.
