@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from difflib import get_close_matches
+from typing import Any
 
 from labutils.checks.judging import judge
 from labutils.checks.links import find_link
@@ -35,19 +36,21 @@ def check(name: str, function: object = None) -> Verdict:
         If there is no exercise of that name.
     """
     try:
-        known = read_words()
-        if name not in known:
-            raise ValueError(_describe_unknown(name, list(known)))
+        _read_exercise(name)
         verdict = judge(load_table(name), function)
     except TableError as error:
         return Verdict(str(name), "not checked", paragraphs=(f"{error}.", NOT_YOURS))
     return _keep(replace(verdict, link=find_link(verdict.link)))
 
 
-def _describe_unknown(name: object, known: list[str]) -> str:
-    close = get_close_matches(str(name), known, n=1)
+def _read_exercise(name: str) -> dict[str, Any]:
+    """Return the words of an exercise; raise ValueError, with a wish, where there is none."""
+    known = read_words()
+    if name in known:
+        return dict(known[name])
+    close = get_close_matches(str(name), list(known), n=1)
     wish = f" Did you mean {close[0]!r}?" if close else ""
-    return f"exercise: expected one of {', '.join(known)}, got {name!r}.{wish}"
+    raise ValueError(f"exercise: expected one of {', '.join(known)}, got {name!r}.{wish}")
 
 
 def _keep(verdict: Verdict) -> Verdict:
@@ -102,12 +105,10 @@ def hint(name: str) -> Hint:
     ValueError
         If there is no exercise of that name.
     """
-    known = read_words()
-    if name not in known:
-        raise ValueError(_describe_unknown(name, list(known)))
+    hints = _read_exercise(name)["hints"]
     progress = load_progress()
     record = progress.get(name)
     record.hints = min(record.hints + 1, MAX_HINTS)
     notices = _save(progress)
-    text = f"Hint {record.hints} of {MAX_HINTS}: {known[name]['hints'][record.hints - 1]}"
+    text = f"Hint {record.hints} of {MAX_HINTS}: {hints[record.hints - 1]}"
     return Hint("\n".join([text, *notices]))

@@ -3,7 +3,7 @@
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
 
-/** Loads a package of _build/npm (tools/vendor/frontend.py --tests puts them there). */
+/** Loads a package of _build/npm (tools/vendor/npm.py puts them there). */
 export const require = createRequire(new URL("../../_build/npm/", import.meta.url));
 
 const BROWSERS = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];

@@ -200,7 +200,7 @@ def test_the_front_end_stays_where_npm_cannot_fetch_a_newer_one(
     fail_with(monkeypatch, REFUSED)
     with pytest.raises(npm.VendorError, match="needs a network"):
         frontend.vendor()
-    assert frontend.main([]) == 1
+    assert frontend.main() == 1
     (repository / "vendor").mkdir()
     (repository / "vendor" / npm.STAMP).write_text("old")
     assert frontend.vendor().endswith("ECONNREFUSED; going on with the older files")

@@ -89,7 +89,7 @@ def gather(edition: Edition) -> int:
     # only here: a build without changes shall not wait for these imports
     from tools.vendor import frontend, pack_python  # noqa: PLC0415
 
-    if code := frontend.main([]) or pack_python.main():
+    if code := frontend.main() or pack_python.main():
         return code
     if edition.name == "instructor":
         # measures every mistake, which only this edition needs

@@ -107,12 +107,7 @@ class Memory:
 
     def _list_pages(self) -> str:
         """Name every file beside the pages, its size and its time."""
-        found = hashlib.sha256()
-        for path in sorted(self.edition.html.rglob("*")):
-            if path.is_file():
-                now = path.stat()
-                found.update(f"{path}\0{now.st_size}\0{now.st_mtime_ns}\0".encode())
-        return found.hexdigest()
+        return hashlib.sha256(_list_times(self.edition.html.rglob("*"))).hexdigest()
 
 
 def make_cell_stamp(environment: Mapping[str, str]) -> str:
@@ -131,10 +126,7 @@ def digest_sources() -> str:
         found.update(path.relative_to(ROOT).as_posix().encode() + b"\0")
         found.update(hashlib.sha256(path.read_bytes()).digest())
     if folder := os.environ.get(OUTSIDE):
-        for path in sorted(Path(folder).glob("*")):
-            if path.is_file():
-                now = path.stat()
-                found.update(f"{path}\0{now.st_size}\0{now.st_mtime_ns}\0".encode())
+        found.update(_list_times(Path(folder).glob("*")))
     return found.hexdigest()
 
 
@@ -148,6 +140,12 @@ def digest(names: Iterable[str], extra: Iterable[str] = ()) -> str:
             if file.is_file() and file.suffix != ".pyc":
                 found.update(str(file.relative_to(ROOT)).encode() + b"\0" + file.read_bytes())
     return found.hexdigest()
+
+
+def _list_times(paths: Iterable[Path]) -> bytes:
+    """Name files, their sizes and their times: quicker than what they say, for files not ours."""
+    states = [(path, path.stat()) for path in sorted(paths) if path.is_file()]
+    return "".join(f"{path}\0{now.st_size}\0{now.st_mtime_ns}\0" for path, now in states).encode()
 
 
 def _walk(folder: Path) -> Iterator[Path]:

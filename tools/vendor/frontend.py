@@ -6,13 +6,11 @@ comes from the Python package of the same name, so that both sides always agree.
 
 Only these packages are needed, not their dependencies: the browser bundles already contain them.
 
-Usage: ``python -m tools.vendor.frontend [--tests]``. With ``--tests`` it also sees to the packages
-that browser tests need; they stay in ``_build/npm``.
+Usage: ``python -m tools.vendor.frontend``.
 """
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import json
 import shutil
@@ -53,15 +51,10 @@ FILES = (
 )
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
+def main() -> int:
     """Bring ``_build/vendor`` up to date; return the exit code."""
-    parser = argparse.ArgumentParser(description="Gather the front-end files of the book.")
-    parser.add_argument("--tests", action="store_true", help="also get what browser tests need")
-    options = parser.parse_args(arguments)
     try:
         print(f"front end: {vendor()}")
-        if options.tests:
-            print(f"browser tests: {npm.install()}")
     except VendorError as error:
         print(f"front end: {error}", file=sys.stderr)
         return 1
