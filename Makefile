@@ -73,9 +73,10 @@ check: lint test ## what CI runs
 bench: setup ## measure speed as ratios against named peers
 	@$(RUN) -m tools.bench
 
-lock: setup ## write requirements.txt anew from requirements.in
+lock: setup ## write requirements.txt anew, and the locks of tools/environments
 	@$(RUN) -m uv pip compile requirements.in --universal --python-version 3.11 \
 		--generate-hashes --no-annotate --no-header --quiet -o requirements.txt
+	@$(RUN) -m tools.environments --lock
 
 clean: ## remove everything `make` built, the virtual environment too
 	@rm -rf _build outputs solutions/pages $(VENV) *.egg-info .pytest_cache .mypy_cache .ruff_cache

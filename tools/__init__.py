@@ -8,6 +8,7 @@
 | ``scaffold`` | writes the files of a new chapter or exercise, names what is unfilled |
 | ``editions`` | the instructor's pages, the learner's zip |
 | ``bench`` | measures speed against named peers |
+| ``environments`` | makes environments of their own: peers, other versions |
 | ``draw`` | figures, cover, textures, screenshots |
 """
 
