@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     )
     from labutils.pointcloud import depth_to_pointcloud, visualize_pointcloud
     from labutils.raycast import raycast_depth, raycast_points
+    from labutils.renderers.omissions import NotDrawnWarning
     from labutils.scene import make_scene
 
 choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before anything imports it
@@ -49,6 +50,7 @@ __version__ = "0.1.0"
 
 #: Public name to the module it lives in, for what needs more than NumPy.
 _ON_FIRST_USE = {
+    "NotDrawnWarning": "renderers.omissions",
     "check": "checks",
     "depth_to_pointcloud": "pointcloud",
     "find_object_centroid": "color_segmentation",
@@ -90,6 +92,7 @@ __all__ = [
     "MAX_DEPTH",
     "MIN_DEPTH",
     "NoOpenGLWarning",
+    "NotDrawnWarning",
     "camera_to_world",
     "check",
     "depth_to_pointcloud",

@@ -16,7 +16,7 @@ import labutils
 Imports = dict[str, set[str]]
 
 #: Geometry: what a robot without a screen, a grader or a browser needs first.
-ON_NUMPY_ALONE = ("cameras", "depth_values", "ply", "projection", "stereo")
+ON_NUMPY_ALONE = ("cameras", "depth_values", "free_camera", "ply", "projection", "stereo")
 
 
 def read_modules(package: Path) -> dict[str, ast.Module]:
