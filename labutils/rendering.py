@@ -185,8 +185,8 @@ def _warn_once(reason: str) -> None:
     if reason == _USERS_CHOICE:
         hint = "unset MUJOCO_GL"
     warnings.warn(
-        f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels are "
-        f"exact, colors are flat. To get OpenGL: {hint}",
+        f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels of "
+        f"geoms are exact, colors are flat. To get OpenGL: {hint}",
         NoOpenGLWarning,
         stacklevel=3,
     )
