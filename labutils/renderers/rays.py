@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Self
+from typing import TYPE_CHECKING, Any, Self, TypeAlias
 
 import mujoco
 import numpy as np
@@ -12,12 +12,15 @@ from labutils._ray_casting import cast_rays, get_pixel_rays, is_forwarded
 from labutils._scene_guards import check_model
 from labutils.cameras import get_camera_id, get_camera_pose
 from labutils.depth_values import get_clip_planes, metric_to_raw
-from labutils.free_camera import is_free
+from labutils.free_camera import is_free, is_viewer_camera
 from labutils.renderers.omissions import warn_once
 
 if TYPE_CHECKING:
     from labutils.cameras import Camera
     from labutils.renderers.protocol import Renderer
+
+#: Depth, geom ids, normals and rays of every pixel.
+_Frame: TypeAlias = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 #: The number that `mujoco.Renderer` takes for the free camera of the model.
 _DEFAULT_FREE_CAMERA = -1
@@ -48,6 +51,8 @@ class RaycastRenderer:
         The compiled scene.
     height, width : int
         Picture size in pixels.
+    max_geom, font_scale
+        As ``mujoco.Renderer`` takes them; they change no picture by rays.
 
     Raises
     ------
@@ -61,7 +66,15 @@ class RaycastRenderer:
         Once per model, with the list of what OpenGL would draw of it and rays do not.
     """
 
-    def __init__(self, model: mujoco.MjModel, height: int = 240, width: int = 320) -> None:
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        height: int = 240,
+        width: int = 320,
+        max_geom: int = 10000,
+        font_scale: Any = None,
+    ) -> None:
+        del font_scale  # nothing is written into a picture by rays
         width, height = check_image_size(width, height)
         check_model(model)
         limits = model.vis.global_
@@ -74,11 +87,47 @@ class RaycastRenderer:
                     f"{name}: expected at most {limit} (the model's off{name}), got {size}"
                 )
         warn_once(model, stacklevel=2)
-        self.model = model
-        self.height = height
-        self.width = width
-        self._mode = "color"
-        self._frame: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None = None
+        self._model = model
+        self._height = height
+        self._width = width
+        self._max_geom = max_geom
+        self._gives_depth = self._gives_segmentation = False
+        self._frame: _Frame | None = None
+        self._scene: mujoco.MjvScene | None = None
+        self._shown: tuple[mujoco.MjData, Camera, mujoco.MjvOption] | None = None
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The model it was made for."""
+        return self._model
+
+    @property
+    def height(self) -> int:
+        """Rows of every picture."""
+        return self._height
+
+    @property
+    def width(self) -> int:
+        """Columns of every picture."""
+        return self._width
+
+    @property
+    def scene(self) -> mujoco.MjvScene:
+        """What OpenGL would draw: its geoms, lights and cameras; rays do not read it."""
+        if self._scene is None:
+            self._scene = mujoco.MjvScene(self._model, self._max_geom)
+            self._fill_scene()
+        return self._scene
+
+    def _fill_scene(self) -> None:
+        if self._scene is None or self._shown is None:
+            return  # nobody has asked for it, or there is nothing to show
+        data, camera, option = self._shown
+        if not is_viewer_camera(camera):
+            number, camera = camera, mujoco.MjvCamera()
+            camera.type, camera.fixedcamid = int(mujoco.mjtCamera.mjCAMERA_FIXED), int(number)
+        catch_all = int(mujoco.mjtCatBit.mjCAT_ALL)
+        mujoco.mjv_updateScene(self._model, data, option, None, camera, catch_all, self._scene)
 
     def update_scene(
         self,
@@ -107,6 +156,9 @@ class RaycastRenderer:
             mujoco.mjv_defaultFreeCamera(self.model, camera)
         elif not is_free(camera):
             camera = get_camera_id(self.model, camera)
+        option = mujoco.MjvOption() if scene_option is None else scene_option
+        self._shown = data, camera, option
+        self._fill_scene()
         if not is_forwarded(data):
             # OpenGL draws nothing but sky then, and so do we.
             shape = (self.height, self.width)
@@ -115,23 +167,23 @@ class RaycastRenderer:
             return
         rays = get_pixel_rays(self.model, data, camera, self.width, self.height)
         origin = get_camera_pose(self.model, data, camera)[:3, 3]
-        self._frame = (*cast_rays(self.model, data, origin, rays, scene_option), rays)
+        self._frame = (*cast_rays(self.model, data, origin, rays, option), rays)
 
     def enable_depth_rendering(self) -> None:
         """Make `render` return meters."""
-        self._mode = "depth"
+        self._gives_depth, self._gives_segmentation = True, False
 
     def disable_depth_rendering(self) -> None:
-        """Make `render` return color again."""
-        self._mode = "color"
+        """Make `render` return color again, if it returned meters."""
+        self._gives_depth = False
 
     def enable_segmentation_rendering(self) -> None:
         """Make `render` return (object id, object type) pairs."""
-        self._mode = "segmentation"
+        self._gives_depth, self._gives_segmentation = False, True
 
     def disable_segmentation_rendering(self) -> None:
-        """Make `render` return color again."""
-        self._mode = "color"
+        """Make `render` return color again, if it returned pairs."""
+        self._gives_segmentation = False
 
     def render(self, *, out: np.ndarray | None = None) -> np.ndarray:
         """Return the frame in the current mode.
@@ -168,10 +220,10 @@ class RaycastRenderer:
     def _draw(
         self, depth: np.ndarray, geom_ids: np.ndarray, normals: np.ndarray, rays: np.ndarray
     ) -> np.ndarray:
-        if self._mode == "depth":
+        if self._gives_depth:
             far = self.model.vis.map.zfar * self.model.stat.extent
             return np.where(np.isnan(depth), far, np.minimum(depth, far)).astype(np.float32)
-        if self._mode == "segmentation":
+        if self._gives_segmentation:
             kind = np.where(geom_ids >= 0, int(mujoco.mjtObj.mjOBJ_GEOM), -1)
             return np.stack([geom_ids, kind], axis=-1).astype(np.int32)
         return self._shade(geom_ids, normals, rays)
@@ -187,7 +239,7 @@ class RaycastRenderer:
 
     def close(self) -> None:
         """Forget the frame; nothing else has to be freed."""
-        self._frame = None
+        self._frame = self._scene = self._shown = None
 
     def __enter__(self) -> Self:
         return self
