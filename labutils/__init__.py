@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from labutils._constants import HSV_RANGES, MAX_DEPTH, MIN_DEPTH
 from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
 from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
-from labutils.ply import write_ply
+from labutils.ply import read_ply, read_ply_comments, write_ply
 from labutils.projection import (
     camera_to_world,
     pixels_to_points,
@@ -112,6 +112,8 @@ __all__ = [
     "process_depth",
     "raycast_depth",
     "raycast_points",
+    "read_ply",
+    "read_ply_comments",
     "render_camera",
     "render_raw_depth",
     "render_segmentation",
