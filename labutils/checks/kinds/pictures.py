@@ -149,8 +149,28 @@ class Mask(Picture):
 
 
 KINDS = (
-    ColorPicture(name="rgb", ndim=3, shape="(H, W, 3), the size of the picture"),
-    MappedPicture(name="mapped", ndim=3, shape="(H, W, 3), the size of the depth image"),
-    Picture(name="depth", ndim=2, shape="(H, W), the size of the picture"),
-    Mask(name="mask", ndim=2, shape="(H, W), the size of the picture"),
+    ColorPicture(
+        name="rgb",
+        ndim=3,
+        shape="(H, W, 3), the size of the picture",
+        relations=("numbers", "pictures", "colors", "regions"),
+    ),
+    MappedPicture(
+        name="mapped",
+        ndim=3,
+        shape="(H, W, 3), the size of the depth image",
+        relations=("numbers", "pictures", "regions"),
+    ),
+    Picture(
+        name="depth",
+        ndim=2,
+        shape="(H, W), the size of the picture",
+        relations=("numbers", "pictures", "regions"),
+    ),
+    Mask(
+        name="mask",
+        ndim=2,
+        shape="(H, W), the size of the picture",
+        relations=("pictures", "masks", "regions"),
+    ),
 )
