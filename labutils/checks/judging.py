@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from labutils.checks.calls import collect_answers, find_call_problem
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import find_relation
+from labutils.checks.explain.probes import probe
 from labutils.checks.gates import Failure, find_failure
 from labutils.checks.kinds import get_kind
 from labutils.checks.recognize import get_hint, recognize_mistakes
@@ -91,11 +92,16 @@ def judge_answers(
     failed = _find_failed_part(table, answers, failure)
     told = [failure.text, _describe_where(table, failure, failed)]
     told += [f"Recognized: {text}" for text in get_hint(table, made)]
-    relation = None if made or failure.gate == "runs" else find_relation(table, answers)
-    if relation:
-        told.append(f"Seen: {relation.text}")
+    relation = found = None
+    if not made and failure.gate != "runs":
+        relation = find_relation(table, answers)
+        if relation is None and callable(function):
+            found = probe(table, answers, function)
+    told += [f"Seen: {one.text}" for one in (relation, found) if one]
     verdict = _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
-    return replace(verdict, relation=relation.name if relation else None)
+    return replace(
+        verdict, relation=relation.name if relation else None, probe=found.name if found else None
+    )
 
 
 def _is_library_function(name: str, function: object) -> bool:

@@ -55,6 +55,9 @@ class Verdict:
     relation : str or None
         Where no mistake is recognized: how what came follows from what was due, in all cases,
         such as "scaled:1000:depth"; several are joined by "+".
+    probe : str or None
+        Where there is no relation either: what calling the function again showed, such as
+        "no-effect:max_depth".
     paragraphs : tuple of str
         The message after its headline.
     link : str
@@ -74,6 +77,7 @@ class Verdict:
     picture: PanelPicture | None = None
     counted: bool = True
     relation: str | None = None
+    probe: str | None = None
 
     @property
     def passed(self) -> bool:

@@ -7,7 +7,6 @@ told was seen in every value of every case. It is never a guess, and never the v
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -16,6 +15,7 @@ import numpy as np
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import axes, numbers, places, regions, selections
 from labutils.checks.explain.relation import Pair, Relation, choose
+from labutils.checks.explain.told import Explanation
 from labutils.checks.kinds import get_kind
 from labutils.checks.table import Scene
 
@@ -40,14 +40,6 @@ FAMILIES: dict[str, Callable[[list[Pair]], Iterator[Relation]]] = {
 }
 
 _SCOPES = {1: "", 2: "In both cases: "}
-
-
-@dataclass(frozen=True)
-class Explanation:
-    """What is told of a difference, and its short name."""
-
-    name: str
-    text: str
 
 
 def find_relation(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
