@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge_answers
-from labutils.checks.explain import FAMILIES, find_relation
+from labutils.checks.explain import FAMILIES, find_odd_case, find_relation
 from labutils.checks.kinds import KINDS
 from labutils.checks.table import Case, CheckTable, Outcome, Part, load_table, read_words
 
@@ -261,3 +261,38 @@ def test_odd_answers_are_compared_without_an_error(name: str) -> None:
             for number, due in enumerate(table.expected)
         ]
         find_relation(table, tuple(mixed))
+
+
+def test_a_relation_of_the_wrong_cases_says_that_the_others_agree() -> None:
+    part, dues = draw("rows")
+    answers = ((dues[0],), (dues[1] * 1000,), (dues[2] * 1000,))
+    found = find_relation(make_table(part, dues), answers)
+    assert found is not None
+    assert found.text == "Only in case 2, 3, the other agrees: points: 1000 times what is due."
+
+
+def test_the_only_wrong_case_and_the_only_right_one_are_named() -> None:
+    part, dues = draw("depth")
+    noise = np.random.default_rng(9).normal(size=(3, *dues[0].shape))
+    table = make_table(part, dues)
+    one_wrong = ((dues[0],), (dues[1] + noise[1],), (dues[2],))
+    found = find_odd_case(table, one_wrong)
+    assert found is not None
+    assert (found.name, found.text) == (
+        "only-wrong:2",
+        "Of 3 cases only this one is wrong: case 1.",
+    )
+    one_right = ((dues[0],), (dues[1] + noise[1],), (dues[2] + noise[2],))
+    found = find_odd_case(table, one_right)
+    assert found is not None
+    assert found.name == "only-right:1"
+    assert find_odd_case(table, table.expected) is None
+
+
+def test_black_is_a_word_and_not_a_level() -> None:
+    table = load_table("visualize_depth")
+    answers = tuple((np.zeros_like(due[0]),) for due in table.expected if isinstance(due, tuple))
+    verdict = judge_answers(table, answers)
+    assert verdict.relation is not None
+    assert "black everywhere" in verdict.message
+    assert "-64" not in verdict.message

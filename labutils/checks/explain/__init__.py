@@ -43,7 +43,7 @@ _SCOPES = {1: "", 2: "In both cases: "}
 
 
 def find_relation(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
-    """Find the relation of every wrong part, the same one in all cases where both exist.
+    """Find how every wrong part differs: in all cases, or in those that are wrong alone.
 
     Parameters
     ----------
@@ -57,32 +57,75 @@ def find_relation(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanatio
     Explanation or None
         None unless every wrong part has exactly one simplest relation.
     """
-    texts, names, right, seen = [], [], [], set()
     with np.errstate(all="ignore"):
-        for pairs in collect_pairs(table, answers):
-            if not pairs:
-                continue
-            part = pairs[0].part
-            if all(pair.is_right for pair in pairs):
-                right.append(part.name)
-                continue
-            relation = _relate(pairs)
-            if relation is None:
-                return None
-            # A cloud and its colors lose the same rows: that is said once.
-            if relation.text in seen:
-                continue
-            seen.add(relation.text)
-            # An entry bears the name of its part already.
-            start = "" if relation.text.startswith(f"{part.name}[") else f"{part.name}: "
-            texts.append(f"{start}{relation.text}")
-            names.append(f"{relation.name}:{part.name}" if len(table.parts) > 1 else relation.name)
-            count = len({pair.case for pair in pairs})
+        parts = [pairs for pairs in collect_pairs(table, answers) if pairs]
+        if found := _relate_parts(table, parts, ""):
+            return found
+        wrong, right = _sort_cases(parts)
+        if not wrong or not right:
+            return None
+        some = [[pair for pair in pairs if pair.case in wrong] for pairs in parts]
+        cases = ", ".join(str(case + 1) for case in wrong)
+        others = "the others agree" if len(right) > 1 else "the other agrees"
+        return _relate_parts(
+            table, [pairs for pairs in some if pairs], f"Only in case {cases}, {others}: "
+        )
+
+
+def find_odd_case(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
+    """Name the only case that is wrong, or the only one that is right: its label says why.
+
+    The weakest that can be told; parameters as in `find_relation`.
+    """
+    wrong, right = _sort_cases([pairs for pairs in collect_pairs(table, answers) if pairs])
+    if len(wrong) == 1 < len(right):
+        (case,) = wrong
+        text = f"Of {len(right) + 1} cases only this one is wrong: {table.cases[case].label}."
+        return Explanation(f"only-wrong:{case + 1}", text)
+    if len(right) == 1 < len(wrong):
+        (case,) = right
+        text = f"Of {len(wrong) + 1} cases only one is right: {table.cases[case].label}."
+        return Explanation(f"only-right:{case + 1}", text)
+    return None
+
+
+def _relate_parts(table: CheckTable, parts: list[list[Pair]], scope: str) -> Explanation | None:
+    """Relate every wrong part in the cases given; None where one has no relation of its own."""
+    texts, names, right, seen = [], [], [], set()
+    count = 0
+    for pairs in parts:
+        part = pairs[0].part
+        if all(pair.is_right for pair in pairs):
+            right.append(part.name)
+            continue
+        relation = _relate(pairs)
+        if relation is None:
+            return None
+        # A cloud and its colors lose the same rows: that is said once.
+        if relation.text in seen:
+            continue
+        seen.add(relation.text)
+        # An entry bears the name of its part already.
+        start = "" if relation.text.startswith(f"{part.name}[") else f"{part.name}: "
+        texts.append(f"{start}{relation.text}")
+        names.append(f"{relation.name}:{part.name}" if len(table.parts) > 1 else relation.name)
+        count = len({pair.case for pair in pairs})
     if not texts:
         return None
-    scope = _SCOPES.get(count, f"In all {count} cases: ")
+    scope = scope or _SCOPES.get(count, f"In all {count} cases: ")
     agree = f" {' and '.join(right)} agree{'' if len(right) > 1 else 's'}." if right else ""
     return Explanation("+".join(names), f"{scope}{'. '.join(texts)}.{agree}")
+
+
+def _sort_cases(parts: list[list[Pair]]) -> tuple[list[int], list[int]]:
+    """Return the cases with a wrong part, and the others; an empty one is right by itself."""
+    state: dict[int, bool] = {}
+    for pairs in parts:
+        for pair in pairs:
+            if pair.due.size or not pair.is_right:
+                state[pair.case] = state.get(pair.case, True) and pair.is_right
+    wrong = [case for case, is_right in state.items() if not is_right]
+    return wrong, [case for case, is_right in state.items() if is_right]
 
 
 def _relate(pairs: list[Pair]) -> Relation | None:
@@ -120,12 +163,9 @@ def collect_pairs(table: CheckTable, answers: tuple[Outcome, ...]) -> list[list[
         for number, (part, x, y) in enumerate(zip(table.parts, due, aligned, strict=True)):
             if x is None or y is None or not (x.size or y.size):
                 continue
-            canonical = get_kind(part).to_canonical
-            try:
-                pair = Pair(index, args, part, canonical(x), canonical(y))
-            except (ValueError, IndexError):  # no picture of this kind
-                continue
-            found[number].append(pair)
+            if x.ndim == y.ndim:
+                x, y = map(get_kind(part).to_canonical, (x, y))  # noqa: PLW2901
+            found[number].append(Pair(index, args, part, x, y))
     return found
 
 

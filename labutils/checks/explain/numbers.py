@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from labutils.checks.explain.relation import Pair, Predict, Relation
+from labutils.checks.kinds import get_kind
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -124,7 +125,7 @@ def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
         text = f"what is due plus one and the same {sign} number"
         yield Relation(f"shifted:{shift:.4g}", text, 3.0, _shift(shift), fitted=1)
     first = float(y[good][0])
-    text = f"{first:.4g} everywhere"
+    text = f"{get_kind(pairs[0].part).name_value(first)} everywhere"
     yield Relation(f"constant:{first:.4g}", text, 1.4, _fill(lambda _: first), fitted=1)
     for word, limit, clip in (
         ("above", float(y[good].max()), np.minimum),

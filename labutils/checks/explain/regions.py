@@ -78,7 +78,9 @@ def _describe_inside(pairs: list[Pair]) -> str:
     values = np.unique(np.concatenate(rows), axis=0)
     if len(values) == 1:
         same = np.unique(values)
-        return f"{same[0]:g}" if len(same) == 1 else str(tuple(values[0].tolist()))
+        if len(same) == 1:
+            return get_kind(pairs[0].part).name_value(float(same[0]))
+        return str(tuple(values[0].tolist()))
     for name, get in numbers.list_scalars(pairs):
         if "/" not in name and all(
             np.allclose(pair.yours, get(pair.args), rtol=0, atol=pair.part.atol or 1e-6)

@@ -11,3 +11,7 @@ class Explanation:
 
     name: str
     text: str
+
+    def say(self) -> str:
+        """Return the paragraph of a verdict."""
+        return f"Seen: {self.text}"

@@ -115,6 +115,10 @@ class Kind(ABC):
         which share: "off by 12.5" would give the right number away.
         """
 
+    def name_value(self, value: float) -> str:
+        """Write one value of the canonical form, in words where it stands for something."""
+        return f"{value:.4g}"
+
     def describe_worst(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> str:
         """Name the place that is off most, where there is one to look at."""
         del part, expected, yours

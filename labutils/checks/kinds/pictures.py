@@ -98,6 +98,10 @@ class MappedPicture(Picture):
         """Read the picture back."""
         return to_levels(value)
 
+    def name_value(self, value: float) -> str:
+        """Name black, which is on no map."""
+        return "black" if value == BLACK_LEVEL else super().name_value(value)
+
     def get_differences(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
         """Return the differences of the levels; infinite for colors of no known map."""
         expected, yours = to_levels(expected), to_levels(yours)
