@@ -152,7 +152,9 @@ def _turn(points: np.ndarray, rotation: np.ndarray, offset: np.ndarray) -> np.nd
     """Compute ``rotation @ point + offset`` for every point, in the precision of the points.
 
     NumPy leaves the product to a library made for large matrices, which wakes all its threads for
-    three columns. OpenCV turns and moves in one pass over the memory.
+    three columns, and adds slowly to rows of three. OpenCV does both in one pass over the memory.
+    In float32 either is wrong by a few roundings of the largest coordinate that occurs: by
+    thousandths of a millimeter at 10 m, by tenths at 1000 m.
     """
     opencv = _find_opencv() if 0 < len(points) < _MOST_POINTS else None
     if opencv is None:
