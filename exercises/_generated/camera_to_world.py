@@ -23,6 +23,8 @@ def camera_to_world(points, cam_xpos, cam_xmat):
     cam_xmat : array-like, 9 numbers or shape (3, 3)
         ``data.cam_xmat`` of the camera, MuJoCo's axes.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, float32 or float64, shape (N, 3)

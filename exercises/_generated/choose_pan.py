@@ -24,6 +24,8 @@ def choose_pan(u, pan, fov_y, width, height):
     width, height : int
         Size of the picture, pixels.
 
+    The arguments stay as they are.
+
     Returns
     -------
     float

@@ -21,6 +21,8 @@ def crop_region(points_world, T_world_robot, low, high):
         Limits of the box in the robot's frame, (x, y, z), meters,
         limits included.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, float64, (M, 3)

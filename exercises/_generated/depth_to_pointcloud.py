@@ -24,6 +24,8 @@ def depth_to_pointcloud(depth_metric, K, rgb_image=None):
     rgb_image : array-like, uint8, shape (H, W, 3), optional
         Colors of the same pixels.
 
+    The arguments stay as they are.
+
     Returns
     -------
     points : ndarray, float32 or float64, shape (N, 3)

@@ -28,6 +28,8 @@ def draw_top_view(points_world, colors, low, high, pixels_per_meter):
         Scale; the map has (high - low) * pixels_per_meter rows and
         columns, rounded.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, uint8, (H, W, 3)

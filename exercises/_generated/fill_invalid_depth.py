@@ -22,6 +22,8 @@ def fill_invalid_depth(depth_metric):
     depth_metric : ndarray, float32, (H, W)
         Meters. At least one pixel is valid.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, float32, (H, W)

@@ -24,6 +24,8 @@ def find_all_objects(rgb_image, color_ranges, min_area):
     min_area : int
         Regions with fewer pixels are no objects.
 
+    The arguments stay as they are.
+
     Returns
     -------
     names : list of str, N

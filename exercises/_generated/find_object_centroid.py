@@ -20,6 +20,8 @@ def find_object_centroid(mask):
     mask : array-like, uint8 or bool, shape (H, W)
         Anything not zero is inside.
 
+    The arguments stay as they are.
+
     Returns
     -------
     tuple of int, or None

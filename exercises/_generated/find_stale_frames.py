@@ -22,6 +22,8 @@ def find_stale_frames(images, pans, noise):
     noise : int
         Largest change of a value from 0 to 255 that is noise.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, bool, (T,)

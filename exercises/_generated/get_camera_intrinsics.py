@@ -26,6 +26,8 @@ def get_camera_intrinsics(model, camera_name, width, height):
     width, height : int
         Picture size in pixels.
 
+    The arguments stay as they are.
+
     Returns
     -------
     K : ndarray, float64, shape (3, 3)

@@ -22,6 +22,8 @@ def intrinsics_matrix(fov_y, width, height):
     width, height : int
         Picture size in pixels.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, float64, shape (3, 3)

@@ -24,6 +24,8 @@ def level_cloud(points):
         Points in the camera frame, meters; the camera is at the
         origin and above the table.
 
+    The arguments stay as they are.
+
     Returns
     -------
     plane : ndarray, float64, (4,)

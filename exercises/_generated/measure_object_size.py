@@ -26,6 +26,8 @@ def measure_object_size(mask, depth_metric, K):
     K : ndarray, float64, (3, 3)
         Intrinsic matrix.
 
+    The arguments stay as they are.
+
     Returns
     -------
     width, height : float

@@ -32,6 +32,8 @@ def nearest_object(labels, depth_metric, K, T_world_cam, max_width):
     max_width : float
         How far the hand opens, meters.
 
+    The arguments stay as they are.
+
     Returns
     -------
     label : int or None

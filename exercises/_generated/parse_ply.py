@@ -22,6 +22,8 @@ def parse_ply(text):
     text : str
         The whole file.
 
+    The arguments stay as they are.
+
     Returns
     -------
     points : ndarray, float64, (N, 3)

@@ -25,6 +25,8 @@ def process_depth(depth_raw, near=0.01, far=10.0):
     near, far : float
         Clip planes in meters, see `get_clip_planes`.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, float32 or float64, same shape

@@ -30,6 +30,8 @@ def project_visible_points(
     depth_metric : ndarray, float32, (H, W)
         What the camera measured, meters along the optical axis.
 
+    The arguments stay as they are.
+
     Returns
     -------
     pixels : ndarray, float64, (N, 2)

@@ -25,6 +25,8 @@ def render_camera(model, data, renderer, camera_name):
     camera_name : str
         Name of a camera of the model.
 
+    The arguments stay as they are.
+
     Returns
     -------
     rgb : ndarray, uint8, shape (H, W, 3)

@@ -25,6 +25,8 @@ def segment_by_color(rgb_image, target_hsv_range):
     target_hsv_range : ((h, s, v), (h, s, v))
         Low and high limits.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, uint8, shape (H, W)

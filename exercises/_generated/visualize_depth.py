@@ -17,6 +17,8 @@ def visualize_depth(depth_metric, max_depth=5.0):
     max_depth : float
         Everything at or beyond this is the reddest red.
 
+    The arguments stay as they are.
+
     Returns
     -------
     ndarray, uint8, shape (H, W, 3)

@@ -24,6 +24,8 @@ def which_camera(points, pixels, fovs, width, height):
     width, height : int
         Size of the picture, pixels.
 
+    The arguments stay as they are.
+
     Returns
     -------
     camera : int

@@ -27,10 +27,12 @@ def collect_answers(table: CheckTable, function: Function) -> tuple[Outcome, ...
     Every call gets its own copy of the arguments: a function that writes into its input, or keeps
     it, changes no other case.
     """
-    return _unify(table, tuple(call_once(table.parts, case, function) for case in table.cases))
+    return unify_answers(
+        table, tuple(call_once(table.parts, case, function) for case in table.cases)
+    )
 
 
-def _unify(table: CheckTable, answers: tuple[Outcome, ...]) -> tuple[Outcome, ...]:
+def unify_answers(table: CheckTable, answers: tuple[Outcome, ...]) -> tuple[Outcome, ...]:
     """Bring the answers of all cases into one form, where the statement leaves a choice."""
     both = [
         (n, due, yours)

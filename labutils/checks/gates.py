@@ -1,6 +1,7 @@
 """The properties an answer has to have, in order; the first that fails is the verdict.
 
-defined, runs, type, shape, dtype, range, value. A gate says what was found and which *property*
+defined, runs, type, shape, dtype, range, value, and last input: the arguments came back as they
+were. A gate says what was found and which *property*
 was due, never the value that was due.
 """
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 #: A part, what is due and what came.
 _Pair: TypeAlias = "tuple[Part, np.ndarray | None, np.ndarray | None]"
 
-GATES = ("defined", "runs", "type", "shape", "dtype", "range", "value")
+GATES = ("defined", "runs", "type", "shape", "dtype", "range", "value", "input")
 
 _DTYPES = {
     "float": ("f", "floating-point numbers (float32 or float64)"),

@@ -9,11 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from labutils.checks.calls import collect_answers, find_call_problem
+from labutils.checks.calls import find_call_problem
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import find_odd_case, find_relation
 from labutils.checks.explain.probes import probe
+from labutils.checks.explain.told import Explanation
 from labutils.checks.gates import Failure, find_failure
+from labutils.checks.inputs import collect_and_watch
 from labutils.checks.kinds import get_kind
 from labutils.checks.recognize import get_hint, recognize_mistakes
 from labutils.checks.verdict import HIDDEN_CASES, NOT_YOURS, PanelPicture, Verdict
@@ -58,7 +60,8 @@ def judge(table: CheckTable, function: object) -> Verdict:
             return Verdict(
                 table.name, "not checked", paragraphs=(text, advice, NOT_YOURS), link=table.section
             )
-        return judge_answers(table, collect_answers(table, function), function)
+        answers, changed = collect_and_watch(table, function)
+        return judge_answers(table, answers, function, changed)
     except Exception as error:  # noqa: BLE001 - whatever fails here is the checker's own fault
         text = f"The checker itself failed: {type(error).__name__}: {error}."
         return Verdict(table.name, "not checked", paragraphs=(text, NOT_YOURS))
@@ -73,10 +76,32 @@ def _has_mujoco() -> bool:
 
 
 def judge_answers(
-    table: CheckTable, answers: tuple[Outcome, ...], function: object = None
+    table: CheckTable,
+    answers: tuple[Outcome, ...],
+    function: object = None,
+    changed: tuple[str, ...] = (),
 ) -> Verdict:
-    """Turn answers into a verdict: the gates, then the name of the mistake."""
+    """Turn answers into a verdict: the gates, then what is seen of the mistake.
+
+    Parameters
+    ----------
+    table : CheckTable
+        The cases, the answers due and the known wrong ones.
+    answers : tuple of Outcome
+        What came, one per case.
+    function : object
+        The learner's, for probes; without it none is tried.
+    changed : tuple of str
+        The arguments that came back changed.
+
+    Returns
+    -------
+    Verdict
+        "passed" or "failed".
+    """
     failure = find_failure(table, answers)
+    if failure is None and changed:
+        return _fail(table, "input", ("All values agree.", _tell_changed(changed).text))
     if failure is None:
         lines = [f"All {len(table.cases)} visible cases agree."]
         borrowed = _is_library_function(table.name, function)
@@ -93,22 +118,33 @@ def judge_answers(
     told = [failure.text, _describe_where(table, failure, failed)]
     told += [f"Recognized: {text}" for text in get_hint(table, made)]
     verdict = _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
-    return (
-        verdict if made or failure.gate == "runs" else _explain(verdict, table, answers, function)
+    if made or failure.gate == "runs":
+        return verdict
+    # The strongest that holds: a relation, what a probe shows, the odd case.
+    relation = find_relation(table, answers)
+    shown = None
+    if relation is None:
+        shown = _tell_changed(changed) if changed else _probe(table, answers, function)
+    if relation is None and shown is None:
+        relation = find_odd_case(table, answers)
+    seen = tuple(one.say() for one in (relation, shown) if one)
+    return replace(
+        verdict,
+        paragraphs=(*verdict.paragraphs, *seen),
+        relation=relation.name if relation else None,
+        probe=shown.name if shown else None,
     )
 
 
-def _explain(
-    verdict: Verdict, table: CheckTable, answers: tuple[Outcome, ...], function: object
-) -> Verdict:
-    """Add what is seen of a mistake that has no name: the strongest that holds."""
-    found = find_relation(table, answers)
-    if found is None and callable(function) and (seen := probe(table, answers, function)):
-        return replace(verdict, paragraphs=(*verdict.paragraphs, seen.say()), probe=seen.name)
-    found = found or find_odd_case(table, answers)
-    if found is None:
-        return verdict
-    return replace(verdict, paragraphs=(*verdict.paragraphs, found.say()), relation=found.name)
+def _probe(table: CheckTable, answers: tuple[Outcome, ...], function: object) -> Explanation | None:
+    return probe(table, answers, function) if callable(function) else None
+
+
+def _tell_changed(changed: tuple[str, ...]) -> Explanation:
+    names = " and ".join(changed)
+    belong = "belong" if len(changed) > 1 else "belongs"
+    text = f"Your function changes {names}, which {belong} to whoever calls it: work on a copy."
+    return Explanation(f"input:{'+'.join(changed)}", text)
 
 
 def _is_library_function(name: str, function: object) -> bool:

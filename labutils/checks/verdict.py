@@ -49,7 +49,7 @@ class Verdict:
         "passed", "failed", or "not checked": the checker could not judge, and nobody is blamed.
     failed_gate : str or None
         The first gate that failed, also called `property`: defined, runs, type, shape, dtype,
-        range or value.
+        range, value, or input where all is right but arguments came back changed.
     misconception : str or None
         Name of the recognized mistake; two are joined by " + ".
     relation : str or None
@@ -57,7 +57,7 @@ class Verdict:
         such as "scaled:1000:depth"; several are joined by "+".
     probe : str or None
         Where there is no relation either: what calling the function again showed, such as
-        "no-effect:max_depth".
+        "no-effect:max_depth" or "input:depth_metric".
     paragraphs : tuple of str
         The message after its headline.
     link : str

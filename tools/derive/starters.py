@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 #: Columns of a code cell that a page shows without scrolling.
 WIDTH = 70
 
+#: A duty of every exercise.
+INPUTS_STAY = "The arguments stay as they are."
+
 
 def make_starter(exercise: Exercise) -> str:
     """Keep imports, signature and docstring of the reference, and nothing of its body.
@@ -32,7 +35,7 @@ def make_starter(exercise: Exercise) -> str:
     for argument in function.args.args:
         argument.annotation = None  # the names in them are not imported where a learner writes
     docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
-    docstring = narrow(docstring, extras, exercise.asks)
+    docstring = promise_inputs(narrow(docstring, extras, exercise.asks))
     docstring = textwrap.indent(rewrap(docstring), "    ", lambda line: bool(line.strip()))
     head = f"def {exercise.name}({ast.unparse(function.args)}):"
     if len(head) > WIDTH:
@@ -76,6 +79,15 @@ def _wrap(block: list[str]) -> list[str]:
         break_long_words=False,
         break_on_hyphens=False,
     )
+
+
+def promise_inputs(docstring: str) -> str:
+    """Say after the section Parameters what holds in every exercise: the check looks at it."""
+    head, found, rest = docstring.partition("\nParameters\n----------\n")
+    if not found:
+        raise ValueError("expected a section Parameters, got none")
+    section, blank, tail = rest.partition("\n\n")
+    return f"{head}{found}{section}\n\n{INPUTS_STAY}{blank}{tail}"
 
 
 def narrow(docstring: str, extras: list[str], asks: Mapping[str, str]) -> str:

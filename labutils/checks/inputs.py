@@ -1,0 +1,134 @@
+"""Watch whether the arguments of a call come back as they went in.
+
+Every statement says that they stay as they are: whoever calls a function goes on with them.
+"""
+
+from __future__ import annotations
+
+from functools import wraps
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from labutils.checks.calls import call_once, unify_answers
+from labutils.checks.table import Scene
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from labutils.checks.table import Case, CheckTable, Outcome
+
+#: What a simulation goes on from. Positions, velocities and forces that follow from these are
+#: brought up to date by whoever draws a picture, and count as unchanged.
+_STATE = ("time", "qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "userdata")
+
+
+def collect_and_watch(
+    table: CheckTable, function: Callable[..., object]
+) -> tuple[tuple[Outcome, ...], tuple[str, ...]]:
+    """Call the function once per case, as `collect_answers` does, and watch its arguments.
+
+    Returns
+    -------
+    answers : tuple of Outcome
+        One per case.
+    changed : tuple of str
+        The arguments that came back changed in some case, in the order of the statement.
+    """
+    answers = []
+    changed: set[str] = set()
+    for case in table.cases:
+        watches: list[Watch] = []
+        answers.append(call_once(table.parts, case, _watch(table, case, function, watches)))
+        changed |= {name for watch in watches for name in watch.find_changed()}
+    in_order = tuple(name for name in table.parameters if name in changed)
+    return unify_answers(table, tuple(answers)), in_order
+
+
+def _watch(
+    table: CheckTable, case: Case, function: Callable[..., object], watches: list[Watch]
+) -> Callable[..., object]:
+    """Return the function with a look at its arguments before; it passes for the learner's own."""
+
+    @wraps(function)
+    def watched(*args: Any) -> object:
+        watches.append(Watch(case, args, table.parameters))
+        return function(*args)
+
+    return watched
+
+
+class Watch:
+    """The arguments of one call as they were before it.
+
+    Parameters
+    ----------
+    case : Case
+        The case they were made from.
+    args : tuple
+        What the function is called with: copies that it may write into.
+    parameters : tuple of str
+        What they are called.
+    """
+
+    def __init__(self, case: Case, args: tuple[Any, ...], parameters: tuple[str, ...]) -> None:
+        self._named = dict(zip(parameters, args, strict=False))
+        self._scene = next((value for value in case.args if isinstance(value, Scene)), None)
+        given = self._scene.gives if self._scene else ()
+        self._before = {
+            name: _copy(value) for name, value in self._named.items() if name not in given
+        }
+        if self._scene:
+            self._before |= _read_scene(self._named)
+
+    def find_changed(self) -> tuple[str, ...]:
+        """Name the arguments that are not as they were."""
+        after = dict(self._named)
+        if self._scene:
+            after |= _read_scene(self._named)
+        return tuple(
+            name for name, value in self._before.items() if not _is_same(value, after[name])
+        )
+
+
+def _read_scene(named: dict[str, Any]) -> dict[str, Any]:
+    """Read the model as bytes and the state as arrays."""
+    import mujoco  # noqa: PLC0415 - every other exercise runs without it
+
+    found: dict[str, Any] = {}
+    for name, value in named.items():
+        if isinstance(value, mujoco.MjModel):
+            content = np.zeros(mujoco.mj_sizeModel(value), np.uint8)
+            mujoco.mj_saveModel(value, None, content)
+            found[name] = content
+        elif isinstance(value, mujoco.MjData):
+            found[name] = [np.array(getattr(value, one)) for one in _STATE]
+    return found
+
+
+def _copy(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if isinstance(value, list):
+        return [_copy(one) for one in value]
+    if isinstance(value, dict):
+        return {key: _copy(one) for key, one in value.items()}
+    return value
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    if isinstance(one, np.ndarray):
+        return (
+            isinstance(other, np.ndarray)
+            and one.dtype == other.dtype
+            and bool(np.array_equal(one, other, equal_nan=one.dtype.kind == "f"))
+        )
+    if isinstance(one, list | tuple):
+        return (
+            isinstance(other, list | tuple)
+            and len(one) == len(other)
+            and all(_is_same(x, y) for x, y in zip(one, other, strict=True))
+        )
+    if isinstance(one, dict):
+        return one.keys() == other.keys() and all(_is_same(one[key], other[key]) for key in one)
+    return one is other or bool(one == other)
