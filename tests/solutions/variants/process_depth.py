@@ -14,11 +14,12 @@ def depth_by_ndc(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
 
 
 def depth_in_place(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
-    # It overwrites its argument, which may change no other case.
-    depth_raw[depth_raw < 0] = 0
-    depth_raw[depth_raw > 1] = 1
-    depth_raw[:] = near / (1 - depth_raw * (1 - near / far))
-    return depth_raw
+    # Step by step in one array of its own.
+    depth = np.array(depth_raw)
+    depth[depth < 0] = 0
+    depth[depth > 1] = 1
+    depth[:] = near / (1 - depth * (1 - near / far))
+    return depth
 
 
 def depth_as_lists(depth_raw: np.ndarray, near: float, far: float) -> list[list[float]]:
