@@ -110,13 +110,16 @@ def test_an_environment_that_cannot_be_made_is_told_once_and_its_routes_are_left
 
 def test_tables_hold_ratios_of_medians_and_of_the_fastest() -> None:
     group = {"first": Entry("ours"), "second": Entry("theirs")}
-    columns = {"as installed": {"first": [2.0, 1.0, 3.0], "second": [7.0, 3.0, 4.0]}}
+    group["third"] = Entry("hopeless")
+    seconds = {"first": [2.0, 1.0, 3.0], "second": [7.0, 3.0, 4.0], "third": [301.0]}
+    columns = {"as installed": seconds}
     assert clouds.make_table("Clouds", group, columns).splitlines() == [
         ":::{table} Clouds",
         "| route | as installed |",
         "|---|---:|",
         "| ours | 1.00 (1.00) |",
         "| theirs | 2.00 (3.0) |",
+        "| hopeless | 150 (301) |",
         ":::",
     ]
 

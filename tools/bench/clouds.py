@@ -225,7 +225,8 @@ def format_ratio(times: list[float], reference: list[float]) -> str:
 
 
 def _round(ratio: float) -> str:
-    return f"{ratio:.1f}" if ratio > 2 else f"{ratio:.2f}"
+    digits = 0 if ratio > 100 else 1 if ratio > 2 else 2
+    return f"{ratio:.{digits}f}"
 
 
 def print_milliseconds(found: dict[str, Columns]) -> None:
