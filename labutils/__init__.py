@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from labutils._constants import HSV_RANGES, MAX_DEPTH, MIN_DEPTH
 from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
 from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
-from labutils.ply import write_ply
+from labutils.ply import read_ply, read_ply_comments, write_ply
 from labutils.projection import (
     camera_to_world,
     pixels_to_points,
@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     )
     from labutils.pointcloud import depth_to_pointcloud, visualize_pointcloud
     from labutils.raycast import raycast_depth, raycast_points
+    from labutils.renderers.omissions import NotDrawnWarning
     from labutils.scene import make_scene
 
 choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before anything imports it
@@ -49,6 +50,7 @@ __version__ = "0.1.0"
 
 #: Public name to the module it lives in, for what needs more than NumPy.
 _ON_FIRST_USE = {
+    "NotDrawnWarning": "renderers.omissions",
     "check": "checks",
     "depth_to_pointcloud": "pointcloud",
     "find_object_centroid": "color_segmentation",
@@ -90,6 +92,7 @@ __all__ = [
     "MAX_DEPTH",
     "MIN_DEPTH",
     "NoOpenGLWarning",
+    "NotDrawnWarning",
     "camera_to_world",
     "check",
     "depth_to_pointcloud",
@@ -109,6 +112,8 @@ __all__ = [
     "process_depth",
     "raycast_depth",
     "raycast_points",
+    "read_ply",
+    "read_ply_comments",
     "render_camera",
     "render_raw_depth",
     "render_segmentation",

@@ -6,11 +6,14 @@ A guard is exactly as strict as the code behind it, and returns the clean array 
 from __future__ import annotations
 
 import numbers
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from labutils._constants import MAX_HUE
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike
 
 _INTEGER_KINDS = "iu"
 _REAL_KINDS = "iuf"
@@ -133,6 +136,11 @@ def check_columns(name: str, value: Any, columns: int) -> np.ndarray:
 def check_colors(colors: Any, count: int) -> np.ndarray:
     """Return colors of shape (count, 3) with values from 0 to 1."""
     colors = check_columns("colors", colors, 3)
+    if colors.dtype.kind == "u":  # 0 and 1 of a picture are nearly black, not 0 and full
+        raise TypeError(
+            f"colors: expected 0 to 1, got {_describe(colors)}: divide those of a picture by "
+            f"{np.iinfo(colors.dtype).max}"
+        )
     if len(colors) != count:
         raise ValueError(f"colors: expected one per point ({count}), got {len(colors)}")
     if colors.size and not (colors.min() >= 0 and colors.max() <= 1):
@@ -175,3 +183,19 @@ def check_positive(name: str, value: Any, unit: str) -> float:
     if not 0 < number < float("inf"):
         raise ValueError(f"{name}: expected {unit} above 0, got {value}")
     return number
+
+
+def check_finite_rows(name: str, rows: np.ndarray, dtype: DTypeLike) -> np.ndarray:
+    """Return rows of numbers as `dtype`, float32 or float64; all are finite, before and after."""
+    with np.errstate(over="ignore"):
+        stored = rows.astype(dtype, copy=False)
+    fits = np.isfinite(stored).all(axis=1)
+    if not fits.all():
+        first = int(fits.argmin())
+        lost = np.isfinite(rows[first]).all()
+        limit = f"at most {np.finfo(stored.dtype).max:.2g}, as {stored.dtype} holds"
+        raise ValueError(
+            f"{name}[{first}]: expected {limit if lost else 'finite numbers'}, "
+            f"got {rows[first].tolist()}"
+        )
+    return stored

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import mujoco
 import numpy as np
 
-from labutils._constants import FLIP_YZ
 from labutils._guards import check_image_size
-from labutils.cameras import get_camera_id, get_camera_intrinsics
+from labutils.cameras import get_camera_intrinsics, get_camera_pose
 
-#: MuJoCo draws the geom groups 0, 1 and 2 unless told otherwise; rays must see the same geoms.
-_VISIBLE_GROUPS = np.array([1, 1, 1, 0, 0, 0], dtype=np.uint8)
-
-#: Geoms of bodies that cannot move are drawn, so rays hit them too.
-_HIT_STATIC_GEOMS = True
+if TYPE_CHECKING:
+    from labutils.cameras import Camera
 
 
 def get_pixel_rays(
-    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, width: int, height: int
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: Camera, width: int, height: int
 ) -> np.ndarray:
     """Compute the direction of the ray through every pixel center, in the world frame.
 
@@ -29,7 +27,7 @@ def get_pixel_rays(
 
     Raises
     ------
-    ValueError
+    TypeError, ValueError
         If the model has no such camera, or the state was never forwarded.
     """
     width, height = check_image_size(width, height)
@@ -38,32 +36,63 @@ def get_pixel_rays(
     rays_cam = np.stack(
         [(u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1], np.ones(u.shape)], axis=-1
     )  # HxWx3
-    camera_id = get_camera_id(model, camera_name)
-    if not data.cam_xmat[camera_id].any():
+    rotation_world_cv = get_camera_pose(model, data, camera_name)[:3, :3]
+    if not (is_forwarded(data) and rotation_world_cv.any()):
         raise ValueError(
-            "data: expected a forwarded state, got one in which the camera has no direction"
+            "data: expected a forwarded state, got one in which nothing has a direction; "
+            "call mj_forward(model, data)"
         )
-    rotation_world_cv = data.cam_xmat[camera_id].reshape(3, 3) @ FLIP_YZ
     return rays_cam @ rotation_world_cv.T
 
 
+def is_forwarded(data: mujoco.MjData) -> bool:
+    """Tell whether a state has poses: a rotation is never all zeros, the memory of a new one is."""
+    return bool(data.xmat[0].any())
+
+
 def cast_rays(
-    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, rays: np.ndarray
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    origin: np.ndarray,
+    rays: np.ndarray,
+    scene_option: mujoco.MjvOption | None = None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Cast all rays (H, W, 3); return depth (H, W), geom ids (H, W) and normals (H, W, 3)."""
+    """Cast all rays from one point.
+
+    Parameters
+    ----------
+    model, data : mujoco.MjModel, mujoco.MjData
+        The scene, forwarded.
+    origin : ndarray, shape (3,)
+        World coordinates in meters.
+    rays : ndarray, shape (H, W, 3)
+        As `get_pixel_rays` gives them.
+    scene_option : mujoco.MjvOption, optional
+        Its groups of geoms and its flag ``mjVIS_STATIC`` say what can be hit; without it, what
+        MuJoCo draws by default.
+
+    Returns
+    -------
+    depth : ndarray, float64, shape (H, W)
+        Meters; NaN where nothing is hit.
+    geom_ids : ndarray, int32, shape (H, W)
+        -1 where nothing is hit.
+    normals : ndarray, float64, shape (H, W, 3)
+        Of unit length, in the world frame.
+    """
+    option = mujoco.MjvOption() if scene_option is None else scene_option
     lengths = np.linalg.norm(rays, axis=-1)
     count = lengths.size
     geom_ids = np.full(count, -1, dtype=np.int32)
     distances = np.full(count, -1.0)
     normals = np.zeros(count * 3)
-    camera_id = get_camera_id(model, camera_name)
     mujoco.mj_multiRay(
         model,
         data,
-        data.cam_xpos[camera_id],
+        np.asarray(origin, dtype=np.float64),
         (rays / lengths[..., None]).ravel(),
-        _VISIBLE_GROUPS,
-        _HIT_STATIC_GEOMS,
+        np.array(option.geomgroup, dtype=np.uint8),
+        bool(option.flags[mujoco.mjtVisFlag.mjVIS_STATIC]),
         -1,  # no body is left out
         geom_ids,
         distances,

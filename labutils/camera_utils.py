@@ -11,14 +11,19 @@ from typing import TYPE_CHECKING
 import mujoco
 import numpy as np
 
+from labutils._positions import range_finders_measured, update_positions
+from labutils._scene_guards import check_renderer, check_state
 from labutils.cameras import (
     get_camera_id,
     get_camera_intrinsics,
     get_camera_pose,
     intrinsics_matrix,
 )
+from labutils.free_camera import is_free
+from labutils.renderers.opengl import is_wrong_thread
 
 if TYPE_CHECKING:
+    from labutils.cameras import Camera
     from labutils.renderers.protocol import Renderer
 
 __all__ = [
@@ -35,15 +40,17 @@ def render_camera(
     model: mujoco.MjModel,
     data: mujoco.MjData,
     renderer: Renderer,
-    camera_name: str,
+    camera_name: Camera,
+    *,
+    scene_option: mujoco.MjvOption | None = None,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Render color and depth from a named camera.
+    """Render color and depth from a camera.
 
     Convention
     ----------
-    The picture shows the *current* ``data.qpos`` (and mocap poses): positions are brought up to
-    date by ``mj_kinematics`` and ``mj_camlight`` first, which change no state. Depth is metric:
-    meters along the optical axis, not along the ray. Pixels that see nothing read the far plane.
+    The picture shows the *current* ``data.qpos`` (and mocap poses): what follows from them is
+    brought up to date first, which changes no state. Depth is metric: meters along the optical
+    axis, not along the ray. Pixels that see nothing read the far plane.
 
     Parameters
     ----------
@@ -51,8 +58,11 @@ def render_camera(
         The scene and its state.
     renderer : mujoco.Renderer or RaycastRenderer
         From `make_renderer`; its size is the picture size.
-    camera_name : str
-        Name of a camera of the model.
+    camera_name : str, int or mujoco.MjvCamera
+        Name or number of a camera of the model, or the free camera of a viewer.
+    scene_option : mujoco.MjvOption, optional
+        What is drawn, such as groups of geoms; MuJoCo's default without it. What it adds from
+        the dynamics, such as contacts, is drawn as it stands in `data`.
 
     Returns
     -------
@@ -70,15 +80,13 @@ def render_camera(
     ----------
     .. [1] MuJoCo documentation, Python bindings, ``mujoco.Renderer``.
     """
-    get_camera_id(model, camera_name)
-    _update_positions(model, data)
-    renderer.update_scene(data, camera=camera_name)
+    _update(model, data, renderer, camera_name, scene_option)
     renderer.disable_segmentation_rendering()
     renderer.disable_depth_rendering()
-    rgb = renderer.render()
+    rgb = _draw(renderer)
     try:
         renderer.enable_depth_rendering()
-        depth = renderer.render()
+        depth = _draw(renderer)
     finally:
         renderer.disable_depth_rendering()
     return rgb, depth
@@ -88,13 +96,15 @@ def render_segmentation(
     model: mujoco.MjModel,
     data: mujoco.MjData,
     renderer: Renderer,
-    camera_name: str,
+    camera_name: Camera,
+    *,
+    scene_option: mujoco.MjvOption | None = None,
 ) -> np.ndarray:
     """Render which body every pixel belongs to: labels a real camera does not have.
 
     Parameters
     ----------
-    model, data, renderer, camera_name
+    model, data, renderer, camera_name, scene_option
         As in `render_camera`.
 
     Returns
@@ -104,15 +114,13 @@ def render_segmentation(
 
     Raises
     ------
-    ValueError
-        If the model has no such camera.
+    TypeError, ValueError
+        As in `render_camera`.
     """
-    get_camera_id(model, camera_name)
-    _update_positions(model, data)
-    renderer.update_scene(data, camera=camera_name)
+    _update(model, data, renderer, camera_name, scene_option)
     try:
         renderer.enable_segmentation_rendering()
-        pairs = renderer.render()
+        pairs = _draw(renderer)
     finally:
         renderer.disable_segmentation_rendering()
     object_ids, kinds = pairs[..., 0], pairs[..., 1]
@@ -123,11 +131,30 @@ def render_segmentation(
     )
 
 
-def _update_positions(model: mujoco.MjModel, data: mujoco.MjData) -> None:
-    """Bring body, geom, camera and light poses up to date with qpos.
+def _update(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    renderer: Renderer,
+    camera: Camera,
+    scene_option: mujoco.MjvOption | None,
+) -> None:
+    """Show the renderer the current state, or say what does not fit, before anything is done."""
+    check_state(model, data)
+    check_renderer(model, renderer)
+    chosen = camera if is_free(camera) else get_camera_id(model, camera)
+    update_positions(model, data)
+    with range_finders_measured(model, data):
+        renderer.update_scene(data, camera=chosen, scene_option=scene_option)
 
-    The full ``mj_forward`` would also run contacts, forces and sensors, which no picture shows:
-    these two calls do what a picture needs, and leave accelerations and sensor data alone.
-    """
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_camlight(model, data)
+
+def _draw(renderer: Renderer) -> np.ndarray:
+    """Draw; say in a sentence what OpenGL says in a code."""
+    try:
+        return renderer.render()
+    except Exception as error:
+        if is_wrong_thread(error):
+            raise RuntimeError(
+                "renderer: expected one made in this thread, got one that OpenGL has bound to "
+                "another thread; call make_renderer in every thread that draws"
+            ) from error
+        raise

@@ -6,15 +6,20 @@ same attributes will do. Taught in: step 2.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias, Union
 
 import numpy as np
 
 from labutils._constants import FLIP_YZ
 from labutils._guards import check_image_size
+from labutils.free_camera import describe, get_free_pose, is_free, is_viewer_camera
 
 if TYPE_CHECKING:
     import mujoco
+
+#: What names a camera: its name, its number, or a viewer's camera. (As text, because MuJoCo is
+#: not imported here.)
+Camera: TypeAlias = Union[str, int, "mujoco.MjvCamera"]
 
 #: ``mjtProjection.mjPROJ_ORTHOGRAPHIC``, written out because MuJoCo is not imported here.
 _ORTHOGRAPHIC = 1
@@ -69,7 +74,7 @@ def intrinsics_matrix(fov_y: float, width: int, height: int) -> np.ndarray:
 
 
 def get_camera_intrinsics(
-    model: mujoco.MjModel, camera_name: str, width: int, height: int
+    model: mujoco.MjModel, camera_name: Camera, width: int, height: int
 ) -> tuple[np.ndarray, float]:
     """Compute the intrinsic matrix of a camera of the model for a picture size.
 
@@ -82,8 +87,8 @@ def get_camera_intrinsics(
     ----------
     model : mujoco.MjModel
         The compiled scene.
-    camera_name : str
-        Name of a camera of the model.
+    camera_name : str, int or mujoco.MjvCamera
+        Name or number of a camera of the model, or the free camera of a viewer.
     width, height : int
         Picture size in pixels.
 
@@ -104,10 +109,15 @@ def get_camera_intrinsics(
     .. [1] MuJoCo documentation, XML reference, element ``camera``: ``fovy``, ``sensorsize``,
        ``focal``, ``principal``.
     """
-    camera_id = get_camera_id(model, camera_name)
     width, height = check_image_size(width, height)
-    if model.cam_projection[camera_id] == _ORTHOGRAPHIC:
-        raise ValueError(f"camera {camera_name!r}: expected perspective, got orthographic")
+    if is_free(camera_name):
+        _refuse_orthographic(camera_name, is_orthographic=bool(camera_name.orthographic))
+        fov_y = float(np.deg2rad(model.vis.global_.fovy))
+        return intrinsics_matrix(fov_y, width, height), fov_y
+    camera_id = get_camera_id(model, camera_name)
+    _refuse_orthographic(
+        camera_name, is_orthographic=model.cam_projection[camera_id] == _ORTHOGRAPHIC
+    )
     sensor_x, sensor_y = model.cam_sensorsize[camera_id]
     if sensor_x <= 0 or sensor_y <= 0:
         fov_y = float(np.deg2rad(model.cam_fovy[camera_id]))
@@ -131,7 +141,16 @@ def get_camera_intrinsics(
     return K, float(upper + lower)
 
 
-def get_camera_pose(model: mujoco.MjModel, data: mujoco.MjData, camera_name: str) -> np.ndarray:
+def _refuse_orthographic(camera: Camera, *, is_orthographic: bool) -> None:
+    if is_orthographic:
+        raise ValueError(
+            f"camera {describe(camera)}: expected perspective, got orthographic, whose rays are "
+            "parallel: no K describes it. render_camera and its depth work; for a K, give the "
+            "camera perspective and a fovy in degrees"
+        )
+
+
+def get_camera_pose(model: mujoco.MjModel, data: mujoco.MjData, camera_name: Camera) -> np.ndarray:
     """Read the pose of a camera as the transform from its OpenCV frame to the world.
 
     Parameters
@@ -147,9 +166,11 @@ def get_camera_pose(model: mujoco.MjModel, data: mujoco.MjData, camera_name: str
 
     Raises
     ------
-    ValueError
+    TypeError, ValueError
         If the model has no such camera.
     """
+    if is_free(camera_name):
+        return get_free_pose(data, camera_name)
     camera_id = get_camera_id(model, camera_name)
     T_world_cam = np.eye(4)
     T_world_cam[:3, :3] = data.cam_xmat[camera_id].reshape(3, 3) @ FLIP_YZ
@@ -157,10 +178,58 @@ def get_camera_pose(model: mujoco.MjModel, data: mujoco.MjData, camera_name: str
     return T_world_cam
 
 
-def get_camera_id(model: mujoco.MjModel, camera_name: str) -> int:
-    """Look up a camera by name; raise ValueError with the known names where there is none."""
-    try:
-        return int(model.camera(str(camera_name)).id)
-    except KeyError:
-        known = ", ".join(model.camera(i).name for i in range(model.ncam)) or "none at all"
-        raise ValueError(f"camera_name: expected one of {known}, got {camera_name!r}") from None
+def get_camera_id(model: mujoco.MjModel, camera_name: Camera) -> int:
+    """Look up the number of a camera of the model.
+
+    Parameters
+    ----------
+    model : mujoco.MjModel
+        The compiled scene.
+    camera_name : str, int or mujoco.MjvCamera
+        A name, a number (which is verified), or a viewer's camera of the type ``mjCAMERA_FIXED``.
+
+    Returns
+    -------
+    int
+        0 to ``model.ncam - 1``.
+
+    Raises
+    ------
+    TypeError
+        If `camera_name` is none of these.
+    ValueError
+        If the model has no such camera; the message says which it has.
+    """
+    if is_viewer_camera(camera_name):
+        if is_free(camera_name):
+            raise ValueError("camera_name: expected a camera of the model, got the free camera")
+        camera_name = camera_name.fixedcamid
+    if isinstance(camera_name, str):
+        try:
+            return int(model.camera(str(camera_name)).id)
+        except KeyError:
+            raise _make_error(model, repr(str(camera_name))) from None
+    if isinstance(camera_name, bool) or not isinstance(camera_name, int | np.integer):
+        raise TypeError(
+            "camera_name: expected a name, a number or an MjvCamera, got "
+            f"{type(camera_name).__name__} {camera_name!r:.60}"
+        )
+    if not 0 <= camera_name < model.ncam:
+        raise _make_error(model, str(camera_name))
+    return int(camera_name)
+
+
+def _make_error(model: mujoco.MjModel, got: str) -> ValueError:
+    """Say which cameras there are, those without a name too."""
+    names = [model.camera(number).name for number in range(model.ncam)]
+    known = ", ".join(name for name in names if name)
+    if not names:
+        expected = "one of none at all: the model has no camera; place an mujoco.MjvCamera"
+    elif all(names) and not got.lstrip("-").isdigit():
+        expected = f"one of {known}"
+    else:
+        numbers_known = f"a number from 0 to {len(names) - 1}"
+        expected = f"one of {known}, or {numbers_known}" if known else numbers_known
+    # -1 is what MuJoCo answers for an unknown name; it must never mean the free camera here.
+    hint = " (the free camera is an mujoco.MjvCamera)" if got == "-1" else ""
+    return ValueError(f"camera_name: expected {expected}, got {got}{hint}")

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import mujoco
     from numpy.typing import ArrayLike
 
+    from labutils.cameras import Camera
     from labutils.renderers.protocol import Renderer
 
 __all__ = [
@@ -31,7 +32,12 @@ __all__ = [
 
 
 def render_raw_depth(
-    model: mujoco.MjModel, data: mujoco.MjData, renderer: Renderer, camera_name: str
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    renderer: Renderer,
+    camera_name: Camera,
+    *,
+    scene_option: mujoco.MjvOption | None = None,
 ) -> np.ndarray:
     """Read the depth buffer before anything converts it.
 
@@ -42,7 +48,7 @@ def render_raw_depth(
 
     Parameters
     ----------
-    model, data, renderer, camera_name
+    model, data, renderer, camera_name, scene_option
         As in `render_camera`; `renderer` gives the size.
 
     Returns
@@ -52,15 +58,15 @@ def render_raw_depth(
 
     Raises
     ------
-    ValueError
-        If the model has no such camera.
+    TypeError, ValueError
+        As in `render_camera`.
     """
     # Imported here, because all of this needs MuJoCo and the rest of the module also runs where it
     # does not exist: in the browser.
     from labutils.camera_utils import render_camera  # noqa: PLC0415
     from labutils.renderers import opengl, rays  # noqa: PLC0415
 
-    render_camera(model, data, renderer, camera_name)
+    render_camera(model, data, renderer, camera_name, scene_option=scene_option)
     reader = opengl if opengl.is_used_by(renderer) else rays
     return reader.read_raw_depth(model, renderer)
 

@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import cv2
+import numpy as np
 from tqdm import tqdm
 
 from labutils._constants import HSV_RANGES
-from labutils._guards import check_columns, check_rgb_image
+from labutils._files import write_in_one_step
+from labutils._guards import check_columns, check_finite_rows, check_rgb_image
 from labutils.camera_utils import render_camera
 from labutils.cameras import get_camera_intrinsics
 from labutils.color_segmentation import find_object_centroid, segment_by_color, visualize_detection
@@ -25,7 +27,7 @@ from labutils.scene import make_scene
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    import numpy as np
+    from numpy.typing import ArrayLike
 
 
 def save_rgb_view(folder: str | Path, rgb_image: np.ndarray) -> Path:
@@ -75,37 +77,45 @@ def save_detection_result(
 
 
 def save_scene_pointcloud(
-    folder: str | Path, points: np.ndarray, colors: np.ndarray | None = None
+    folder: str | Path,
+    points: ArrayLike,
+    colors: ArrayLike | None = None,
+    *,
+    frame: str | None = None,
 ) -> Path:
-    """Write ``scene_pointcloud.ply``.
+    """Write ``scene_pointcloud.ply``, with its frame in a comment: "camera", "world" or a text.
 
     `folder` as in `save_rgb_view`, other parameters and errors as in `write_ply`; returns the file
     written.
     """
-    return write_ply(_make_folder(folder) / "scene_pointcloud.ply", points, colors)
+    return write_ply(_make_folder(folder) / "scene_pointcloud.ply", points, colors, frame=frame)
 
 
-def save_pointcloud_xyz(folder: str | Path, points: np.ndarray) -> Path:
+def save_pointcloud_xyz(folder: str | Path, points: ArrayLike) -> Path:
     """Write ``pointcloud.xyz``: one point a line, meters with four decimals (0.1 mm).
 
     Parameters
     ----------
     folder : path
         Made if it does not exist.
-    points : array-like, real, shape (N, 3)
+    points : array-like, real and finite, shape (N, 3)
         Meters.
 
     Returns
     -------
     pathlib.Path
         The file written.
+
+    Raises
+    ------
+    TypeError, ValueError, OSError
+        If the points have another shape or one is not finite, or the file cannot be written.
     """
-    points = check_columns("points", points, 3)
+    cloud = check_finite_rows("points", check_columns("points", points, 3), np.float64)
     path = _make_folder(folder) / "pointcloud.xyz"
     # One format call for all numbers: ten times as fast as np.savetxt, byte for byte the same.
-    text = ("%.4f %.4f %.4f\n" * len(points)) % tuple(points.ravel().tolist())
-    path.write_text(text, encoding="ascii")
-    return path
+    text = ("%.4f %.4f %.4f\n" * len(cloud)) % tuple(cloud.ravel().tolist())
+    return write_in_one_step(path, text.encode("ascii"))
 
 
 def save_outputs(
@@ -155,7 +165,9 @@ def save_outputs(
             "rgb_view.png": lambda: save_rgb_view(folder, rgb),
             "depth_view.png": lambda: save_depth_view(folder, depth),
             "detection_result.png": lambda: save_detection_result(folder, rgb, centroid, mask),
-            "scene_pointcloud.ply": lambda: save_scene_pointcloud(folder, points, colors),
+            "scene_pointcloud.ply": lambda: save_scene_pointcloud(
+                folder, points, colors, frame="camera"
+            ),
             "pointcloud.xyz": lambda: save_pointcloud_xyz(folder, points),
         }
         paths = []
@@ -183,5 +195,4 @@ def _save_bgr(folder: str | Path, name: str, image_bgr: np.ndarray) -> Path:
     done, encoded = cv2.imencode(".png", image_bgr)
     if not done:
         raise OSError(f"{name}: OpenCV could not encode the picture as PNG")
-    path.write_bytes(encoded.tobytes())
-    return path
+    return write_in_one_step(path, encoded.tobytes())

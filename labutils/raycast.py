@@ -13,31 +13,34 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from labutils._ray_casting import cast_rays, get_pixel_rays
-from labutils.cameras import get_camera_id
+from labutils.cameras import get_camera_pose
 from labutils.renderers.rays import RaycastRenderer
 
 if TYPE_CHECKING:
     import mujoco
 
+    from labutils.cameras import Camera
+
 __all__ = ["RaycastRenderer", "get_pixel_rays", "raycast_depth", "raycast_points"]
 
 
 def raycast_depth(
-    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, width: int, height: int
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: Camera, width: int, height: int
 ) -> np.ndarray:
     """Measure the true depth of every pixel.
 
     Convention
     ----------
     Rays leave through pixel centers: integer (u, v) is the center. Depth is the distance along
-    the optical axis, not the length of the ray.
+    the optical axis, not the length of the ray. Rays hit geoms of the groups that MuJoCo draws by
+    default, and nothing else; `RaycastRenderer` says where that differs from OpenGL.
 
     Parameters
     ----------
     model, data : mujoco.MjModel, mujoco.MjData
         The scene, forwarded.
-    camera_name : str
-        Name of a camera of the model.
+    camera_name : str, int or mujoco.MjvCamera
+        Name or number of a camera of the model, or the free camera of a viewer.
     width, height : int
         Picture size in pixels.
 
@@ -48,15 +51,16 @@ def raycast_depth(
 
     Raises
     ------
-    ValueError
-        If the model has no such camera.
+    TypeError, ValueError
+        If the model has no such camera, or the state was never forwarded.
     """
     rays = get_pixel_rays(model, data, camera_name, width, height)
-    return cast_rays(model, data, camera_name, rays)[0].astype(np.float32)
+    origin = get_camera_pose(model, data, camera_name)[:3, 3]
+    return cast_rays(model, data, origin, rays)[0].astype(np.float32)
 
 
 def raycast_points(
-    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str, width: int, height: int
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: Camera, width: int, height: int
 ) -> np.ndarray:
     """Find the world point that every pixel looks at.
 
@@ -72,10 +76,10 @@ def raycast_points(
 
     Raises
     ------
-    ValueError
-        If the model has no such camera.
+    TypeError, ValueError
+        If the model has no such camera, or the state was never forwarded.
     """
     rays_world = get_pixel_rays(model, data, camera_name, width, height)
-    depth = cast_rays(model, data, camera_name, rays_world)[0]
-    camera_id = get_camera_id(model, camera_name)
-    return data.cam_xpos[camera_id] + depth[..., None] * rays_world
+    origin = get_camera_pose(model, data, camera_name)[:3, 3]
+    depth = cast_rays(model, data, origin, rays_world)[0]
+    return origin + depth[..., None] * rays_world

@@ -111,25 +111,36 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> Renderer:
     Returns
     -------
     mujoco.Renderer or RaycastRenderer
-        MuJoCo's renderer where OpenGL works. Elsewhere the ray caster: depth and segmentation are
-        exact, colors are flat-shaded.
+        MuJoCo's renderer where OpenGL works. Elsewhere the ray caster: depth and segmentation of
+        geoms are exact, colors are flat-shaded. It leaves out what is no geom (sites, tendons,
+        skins, flexes, range-finder lines); its docstring has the list.
 
     Raises
     ------
     TypeError, ValueError
-        If `height` or `width` is not a positive whole number, or larger than the off-screen
-        buffer the model asks for.
+        If `model` is no model, `height` or `width` is not a positive whole number, or larger than
+        the off-screen buffer the model asks for.
 
     Warns
     -----
     NoOpenGLWarning
         Once per process, with the command that installs OpenGL.
+    NotDrawnWarning
+        Once per model, where the ray caster draws, with the list of what it leaves out of it.
+
+    Notes
+    -----
+    A renderer belongs to the model it was made for, and to the thread: make one in every thread
+    that draws. Closing a renderer takes the OpenGL context of its thread away, also from other
+    libraries that draw there (dm_control does): let them draw in another thread.
     """
     import mujoco  # noqa: PLC0415 - the backend is chosen first, then MuJoCo reads it
 
     from labutils._guards import check_image_size  # noqa: PLC0415 - see above
+    from labutils._scene_guards import check_model  # noqa: PLC0415 - see above
     from labutils.renderers.rays import RaycastRenderer  # noqa: PLC0415 - see above
 
+    check_model(model)
     width, height = check_image_size(width, height)
     reason = _find_gl_problem()
     if reason is None:
@@ -174,8 +185,8 @@ def _warn_once(reason: str) -> None:
     if reason == _USERS_CHOICE:
         hint = "unset MUJOCO_GL"
     warnings.warn(
-        f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels are "
-        f"exact, colors are flat. To get OpenGL: {hint}",
+        f"OpenGL cannot draw here ({reason}). The ray caster takes over: depth and labels of "
+        f"geoms are exact, colors are flat. To get OpenGL: {hint}",
         NoOpenGLWarning,
         stacklevel=3,
     )

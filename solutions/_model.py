@@ -23,7 +23,7 @@ from labutils.checks.progress import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from content.chapters import Chapter
 
@@ -97,6 +97,10 @@ class Exercise:
         Why the tolerance is neither tighter nor wider.
     place : int
         Position among the exercises of its chapter.
+    asks : mapping of str to str
+        Where the exercise asks for less than the function of the library does: a parameter, and
+        its entry in the starter's docstring (the type, a line break, what it is). Parameters that
+        go by keyword only are no part of the exercise anyway.
     """
 
     name: str
@@ -115,6 +119,7 @@ class Exercise:
     hidden: Callable[[np.random.Generator], tuple[Case, ...]]
     place: int = 1
     imports: tuple[str, ...] = ("import numpy as np",)
+    asks: Mapping[str, str] = field(default_factory=dict)
     absorbed: tuple[Absorbed, ...] = field(default=())
 
     def __post_init__(self) -> None:
@@ -163,8 +168,9 @@ class Exercise:
 
     @property
     def parameters(self) -> tuple[str, ...]:
-        """The names of the arguments."""
-        return tuple(inspect.signature(self.reference).parameters)
+        """The names of the arguments; what goes by keyword only is no part of the exercise."""
+        given = inspect.signature(self.reference).parameters.values()
+        return tuple(one.name for one in given if one.kind is not one.KEYWORD_ONLY)
 
     def get_combinations(self) -> tuple[tuple[str, ...], ...]:
         """Return every mistake and every pair that can be told apart."""

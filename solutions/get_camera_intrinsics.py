@@ -129,6 +129,7 @@ EXERCISE = Exercise(
     visible=lambda: _make_cases(np.random.default_rng(21)),
     hidden=_make_cases,
     imports=("import mujoco", "import numpy as np"),
+    asks={"camera_name": "str\nName of a camera of the model."},
     absorbed=(
         Absorbed("sensor-ignored", "principal-sign", "without the sensor there is no shift"),
         Absorbed("sensor-ignored", "square-pixels", "cam_fovy gives square pixels anyway"),

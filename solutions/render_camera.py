@@ -131,6 +131,7 @@ EXERCISE = Exercise(
     visible=lambda: _make_cases(np.random.default_rng(11)),
     hidden=_make_cases,
     imports=("import mujoco",),
+    asks={"camera_name": "str\nName of a camera of the model."},
     absorbed=tuple(
         Absorbed("switch-with-argument", other, "the program stops before the other mistake shows")
         for other in (

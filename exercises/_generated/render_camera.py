@@ -7,15 +7,14 @@ import mujoco
 
 
 def render_camera(model, data, renderer, camera_name):
-    """Render color and depth from a named camera.
+    """Render color and depth from a camera.
 
     Convention
     ----------
     The picture shows the *current* ``data.qpos`` (and mocap poses):
-    positions are brought up to date by ``mj_kinematics`` and
-    ``mj_camlight`` first, which change no state. Depth is metric:
-    meters along the optical axis, not along the ray. Pixels that see
-    nothing read the far plane.
+    what follows from them is brought up to date first, which changes
+    no state. Depth is metric: meters along the optical axis, not
+    along the ray. Pixels that see nothing read the far plane.
 
     Parameters
     ----------

@@ -7,6 +7,7 @@ import linecache
 import traceback
 import warnings
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
 import numpy as np
@@ -33,13 +34,22 @@ def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcom
     args, observers = prepare_arguments(case.args)
     try:
         # Warnings about NaN and zero are expected on invalid pixels: they are not the verdict.
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
+        with warnings.catch_warnings(), np.errstate(all="ignore"), _drawing(case, function):
             warnings.simplefilter("ignore")
             output = function(*args)
     except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a learner's code raises
         return describe_error(error, function)
     seen = tuple(observe() for observe in observers)
     return split_answer(parts, output, seen)
+
+
+def _drawing(case: Case, function: Function) -> AbstractContextManager[None]:
+    """Return the block in which a function may make renderers of its own."""
+    if not any(isinstance(value, Scene) and "renderer" in value.gives for value in case.args):
+        return nullcontext()
+    from labutils.checks.scenes import drawing_by_rays  # noqa: PLC0415 - needs MuJoCo
+
+    return drawing_by_rays(function)
 
 
 def prepare_arguments(
@@ -123,6 +133,8 @@ def describe(value: object) -> str:
 def describe_error(error: BaseException, function: Function) -> Raised:
     """Keep an exception as words: its kind, its first line, and where the learner's code was."""
     text = (str(error).strip().splitlines() or [""])[0]
+    # The renderer of a check draws by rays; whoever wrote for MuJoCo's has not heard of that.
+    text = text.replace("RaycastRenderer", "Renderer")
     if len(text) > _TEXT_LIMIT:
         text = text[: _TEXT_LIMIT - 3] + "..."
     kinds = tuple(kind.__name__ for kind in type(error).__mro__)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -10,7 +12,7 @@ import numpy as np
 from labutils.raycast import RaycastRenderer
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from labutils.checks.table import Scene
 
@@ -40,3 +42,28 @@ def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[
             return False  # closed, or never given a scene
 
     return (model, data, renderer), (is_in_color_mode,)
+
+
+@contextmanager
+def drawing_by_rays(function: Callable[..., object]) -> Iterator[None]:
+    """Let every renderer that a function makes inside the block draw by rays.
+
+    Whoever makes a second renderer, of another size or to leave the given one alone, does nothing
+    wrong; but OpenGL's colors would differ from the frozen ones, which were drawn by rays.
+
+    Parameters
+    ----------
+    function : callable
+        The learner's: names in its module that stand for ``mujoco.Renderer`` are changed too.
+    """
+    theirs = mujoco.Renderer
+    names = getattr(inspect.unwrap(function), "__globals__", {})
+    places: list[tuple[dict[str, Any], str]] = [(vars(mujoco), "Renderer")]
+    places += [(names, name) for name, value in names.items() if value is theirs]
+    try:
+        for place, name in places:
+            place[name] = RaycastRenderer
+        yield
+    finally:
+        for place, name in places:
+            place[name] = theirs

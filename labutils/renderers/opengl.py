@@ -10,10 +10,21 @@ import numpy as np
 if TYPE_CHECKING:
     from labutils.renderers.protocol import Renderer
 
+_EGL_BAD_ACCESS = 0x3002
+
 
 def is_used_by(renderer: Renderer) -> bool:
     """Tell whether a renderer draws with OpenGL, and so fills a depth buffer."""
     return isinstance(renderer, mujoco.Renderer)
+
+
+def is_wrong_thread(error: BaseException) -> bool:
+    """Tell whether OpenGL refused because another thread holds the renderer.
+
+    EGL says ``EGL_BAD_ACCESS`` (0x3002); its binding may hand that out as a number or as a name.
+    """
+    code = getattr(error, "err", None)
+    return str(code) == "EGL_BAD_ACCESS" or code == _EGL_BAD_ACCESS
 
 
 def read_raw_depth(model: mujoco.MjModel, renderer: mujoco.Renderer) -> np.ndarray:

@@ -5,16 +5,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol, Self, runtime_checkable
+from typing import TYPE_CHECKING, Protocol, Self, runtime_checkable
 
 if TYPE_CHECKING:
     import mujoco
     import numpy as np
 
+    from labutils.cameras import Camera
+
 
 @runtime_checkable
 class Renderer(Protocol):
     """Draws a scene: color at first, depth or segmentation while that is switched on."""
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The model it was made for, the only one it can draw."""
+        ...
 
     @property
     def height(self) -> int:
@@ -27,17 +34,20 @@ class Renderer(Protocol):
         ...
 
     def update_scene(
-        self, data: mujoco.MjData, camera: str | int = -1, scene_option: Any = None
+        self,
+        data: mujoco.MjData,
+        camera: Camera = -1,
+        scene_option: mujoco.MjvOption | None = None,
     ) -> None:
-        """Take over the state to draw, and the camera (name or id) to draw it from."""
+        """Take over the state to draw, the camera to draw it from, and what to draw of it."""
         ...
 
-    def render(self) -> np.ndarray:
+    def render(self, *, out: np.ndarray | None = None) -> np.ndarray:
         """Draw.
 
         Color is uint8 (H, W, 3). Depth is float32 (H, W), in meters along the optical axis, the
         far plane where nothing is seen. Segmentation is int32 (H, W, 2): object id and type, -1
-        where nothing is seen.
+        where nothing is seen. Written into `out` where there is one of that shape.
         """
         ...
 

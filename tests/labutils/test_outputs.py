@@ -53,7 +53,7 @@ def read_rgb(path: Path) -> np.ndarray:
     return cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)
 
 
-def read_ply(path: Path) -> np.ndarray:
+def read_vertices(path: Path) -> np.ndarray:
     header, _, body = path.read_bytes().partition(b"end_header\n")
     names = [line.split()[2].decode() for line in header.splitlines() if b"property" in line]
     kinds = ["u1" if name in {"red", "green", "blue"} else "<f4" for name in names]
@@ -115,10 +115,25 @@ def test_scene_pointcloud_keeps_points_and_colors(
     points, colors = cloud
     path = lab.save_scene_pointcloud(tmp_path, points, colors)
     assert path == tmp_path / "scene_pointcloud.ply"
-    vertices = read_ply(path)
+    vertices = read_vertices(path)
     np.testing.assert_array_equal(np.stack([vertices[n] for n in "xyz"], axis=1), points)
     stored = np.stack([vertices[n] for n in ("red", "green", "blue")], axis=1)
     np.testing.assert_array_equal(stored, np.round(colors * 255))
+
+
+@pytest.mark.parametrize(
+    ("frame", "told"),
+    [
+        ("world", "frame: world (z up)"),
+        ("gripper camera", "frame: gripper camera"),
+        (None, "frame: unknown"),
+    ],
+)
+def test_scene_pointcloud_says_the_frame_it_was_told(
+    tmp_path: Path, frame: str | None, told: str
+) -> None:
+    path = lab.save_scene_pointcloud(tmp_path, np.zeros((2, 3)), frame=frame)
+    assert lab.read_ply_comments(path) == (told, "unit: meter")
 
 
 def test_pointcloud_xyz_is_what_savetxt_writes(
@@ -135,7 +150,7 @@ def test_pointcloud_xyz_is_what_savetxt_writes(
 
 def test_an_empty_cloud_makes_readable_files(tmp_path: Path) -> None:
     nothing = np.empty((0, 3), np.float32)
-    assert len(read_ply(lab.save_scene_pointcloud(tmp_path, nothing, nothing))) == 0
+    assert len(read_vertices(lab.save_scene_pointcloud(tmp_path, nothing, nothing))) == 0
     assert lab.save_pointcloud_xyz(tmp_path, nothing).read_bytes() == b""
 
 
@@ -157,7 +172,19 @@ def test_an_empty_cloud_makes_readable_files(tmp_path: Path) -> None:
             lambda at: lab.save_scene_pointcloud(at, np.zeros((4, 3)), np.full((4, 3), 255)),
             "colors: expected 0 to 1",
         ),
+        (
+            lambda at: lab.save_scene_pointcloud(at, np.full((2, 3), np.nan)),
+            r"points\[0\]: expected finite numbers, got \[nan, nan, nan\]",
+        ),
+        (
+            lambda at: lab.save_scene_pointcloud(at, np.zeros((1, 3)), frame="two\nlines"),
+            "frame: expected 'camera', 'world' or one line",
+        ),
         (lambda at: lab.save_pointcloud_xyz(at, np.zeros(3)), r"points: expected shape \(N"),
+        (
+            lambda at: lab.save_pointcloud_xyz(at, [[0.0, 0.0, 0.0], [1.0, np.inf, 2.0]]),
+            r"points\[1\]: expected finite numbers, got \[1.0, inf, 2.0\]",
+        ),
     ],
 )
 def test_bad_input_leaves_no_file_behind(
@@ -186,8 +213,10 @@ def test_save_outputs_saves_what_the_camera_sees(tmp_path: Path) -> None:
     points, _ = lab.depth_to_pointcloud(depth, K)
     np.testing.assert_array_equal(read_rgb(rgb_path), rgb)
     np.testing.assert_array_equal(cv2.imread(str(depth_path)), lab.visualize_depth(depth))
-    vertices = read_ply(ply_path)
+    vertices = read_vertices(ply_path)
     np.testing.assert_array_equal(np.stack([vertices[n] for n in "xyz"], axis=1), points)
+    told = ("frame: OpenCV camera (x right, y down, z forward)", "unit: meter")
+    assert lab.read_ply_comments(ply_path) == told
     np.testing.assert_allclose(np.loadtxt(xyz_path), points, rtol=0, atol=0.5001e-4)
 
 
@@ -249,5 +278,5 @@ def test_without_opengl_all_files_come_with_one_notice_and_exact_depth(tmp_path:
     _, depth = lab.render_camera(model, data, renderer, "head_camera")
     truth = lab.raycast_depth(model, data, "head_camera", WIDTH, HEIGHT)
     np.testing.assert_array_equal(
-        read_ply(tmp_path / "scene_pointcloud.ply")["z"], truth[lab.find_valid_depth(depth)]
+        read_vertices(tmp_path / "scene_pointcloud.ply")["z"], truth[lab.find_valid_depth(depth)]
     )

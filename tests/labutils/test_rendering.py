@@ -179,12 +179,27 @@ def test_the_ray_caster_refuses_what_it_cannot_do(
     renderer = RaycastRenderer(model, 24, 32)
     with pytest.raises(RuntimeError, match="expected a call of update_scene first"):
         renderer.render()
-    with pytest.raises(ValueError, match="expected an id from 0 to"):
-        renderer.update_scene(data)
-    with pytest.raises(ValueError, match="default options only"):
-        renderer.update_scene(data, "head_camera", mujoco.MjvOption())
+    with pytest.raises(ValueError, match="a number from 0 to"):
+        renderer.update_scene(data, -2)
+    renderer.update_scene(data, "head_camera")
+    with pytest.raises(ValueError, match=r"out: expected shape \(24, 32, 3\), got \(32, 24, 3\)"):
+        renderer.render(out=np.empty((32, 24, 3), np.uint8))
     with pytest.raises(ValueError, match="width: expected at most"):
         RaycastRenderer(model, 24, 100_000)
+
+
+@pytest.mark.parametrize("make", [make_renderer, RaycastRenderer])
+def test_a_picture_is_written_where_it_is_asked_to(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], make: Callable[..., Any]
+) -> None:
+    model, data = scene
+    with make(model, 24, 32) as renderer:
+        renderer.update_scene(data, "head_camera")
+        expected = renderer.render()
+        for dtype in (np.uint8, np.float64):
+            out = np.zeros((24, 32, 3), dtype)
+            assert renderer.render(out=out) is out
+            assert_array_equal(out, expected)
 
 
 def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(

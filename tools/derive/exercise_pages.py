@@ -6,11 +6,10 @@ lacks a part, or has one that no card asks for, is refused.
 
 from __future__ import annotations
 
-import ast
-import inspect
 import re
-import textwrap
 from typing import TYPE_CHECKING
+
+from tools.derive.starters import make_starter
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -20,9 +19,6 @@ if TYPE_CHECKING:
 
 PART = re.compile(r"<!-- begin (?P<name>[\w ]+) -->\n.*?<!-- end (?P=name) -->\n", re.DOTALL)
 HEADING = re.compile(r"^\(exercise-([a-z-]+)\)=\n## ", re.MULTILINE)
-
-#: Columns of a code cell that a page shows without scrolling.
-WIDTH = 70
 
 #: Minutes, a rough guess for planning: an exercise of the lab, and a challenge.
 LAB_MINUTES, CHALLENGE_MINUTES = 20, 30
@@ -53,59 +49,6 @@ def get_label(name: str) -> str:
 def make_link(exercise: Exercise) -> str:
     """Return a link to an exercise, from any page."""
     return f"{{ref}}`{exercise.name} <{get_label(exercise.name)}>`"
-
-
-def make_starter(exercise: Exercise) -> str:
-    """Keep imports, signature and docstring of the reference, and nothing of its body."""
-    tree = ast.parse(textwrap.dedent(inspect.getsource(exercise.reference)))
-    function = tree.body[0]
-    assert isinstance(function, ast.FunctionDef)  # noqa: S101 - cards refer to plain functions
-    for argument in function.args.args:
-        argument.annotation = None  # the names in them are not imported where a learner writes
-    docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
-    docstring = textwrap.indent(rewrap(docstring), "    ", lambda line: bool(line.strip()))
-    head = f"def {exercise.name}({ast.unparse(function.args)}):"
-    if len(head) > WIDTH:
-        head = f"def {exercise.name}(\n    {ast.unparse(function.args)},\n):"
-    return (
-        "\n".join(exercise.imports) + f'\n\n\n{head}\n    """{docstring.strip()}\n'
-        f'    """\n    raise NotImplementedError\n'
-    )
-
-
-def rewrap(docstring: str) -> str:
-    """Break lines that are too long for a cell on a page, but no examples."""
-    lines: list[str] = []
-    block: list[str] = []
-    for line in [*docstring.splitlines(), ""]:
-        ends = not line or line.startswith("---") or _get_indent(line) != _get_indent(*block[:1])
-        if ends and block:
-            lines += _wrap(block)
-            block = []
-        if not line or line.startswith("---"):
-            lines.append(line)
-        else:
-            block.append(line)
-    return "\n".join(lines).strip()
-
-
-def _get_indent(line: str = "") -> int:
-    return len(line) - len(line.lstrip())
-
-
-def _wrap(block: list[str]) -> list[str]:
-    limit = WIDTH - 4  # inside a function
-    if max(map(len, block)) <= limit or block[0].lstrip().startswith(">>>"):
-        return block
-    indent = " " * _get_indent(block[0])
-    return textwrap.wrap(
-        " ".join(line.strip() for line in block),
-        limit,
-        initial_indent=indent,
-        subsequent_indent=indent if " : " not in block[0] else f"{indent}    ",
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
 
 
 def make_exercise(exercise: Exercise) -> str:

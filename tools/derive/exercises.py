@@ -27,9 +27,9 @@ from tools.derive.exercise_pages import (
     fill_chapter,
     fill_page,
     make_link,
-    make_starter,
     select,
 )
+from tools.derive.starters import make_starter
 from tools.scaffold.unfilled import find_unfilled
 from tools.stable_zip import make_zip
 

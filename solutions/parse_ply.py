@@ -9,7 +9,7 @@ import numpy as np
 from solutions._model import Case, Exercise, Misconception, Part
 
 
-def read_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
+def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
     """Read points and colors from the text of an ASCII PLY file.
 
     The header ends with the line ``end_header``. Its line ``element vertex N`` says that the first
@@ -109,14 +109,14 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 
 
 EXERCISE = Exercise(
-    name="read_ply",
+    name="parse_ply",
     title="read a cloud back from its file",
     chapter="step6",
     place=13,
     points=0,
     section="step6-files",
     objectives=("6d",),
-    reference=read_ply,
+    reference=parse_ply,
     answer_with=_answer_with,
     parts=(
         Part("points", "cloud", "float", atol=1e-5, unit="m"),

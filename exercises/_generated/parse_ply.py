@@ -1,4 +1,4 @@
-"""Starter of the exercise read_ply.
+"""Starter of the exercise parse_ply.
 
 Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`.
 """
@@ -6,7 +6,7 @@ Written by tools/derive/exercises.py from the cards in solutions/: run `make exe
 import numpy as np
 
 
-def read_ply(text):
+def parse_ply(text):
     """Read points and colors from the text of an ASCII PLY file.
 
     The header ends with the line ``end_header``. Its line ``element

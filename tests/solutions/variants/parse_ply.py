@@ -1,4 +1,4 @@
-"""Right answers to read_ply, written in ways that the card does not contain."""
+"""Right answers to parse_ply, written in ways that the card does not contain."""
 
 from typing import Any
 
