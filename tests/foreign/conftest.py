@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -33,9 +32,9 @@ def pytest_ignore_collect(collection_path: Path) -> bool | None:
 
 
 @pytest.fixture(autouse=True)
-def elsewhere(tmp_path: Path) -> None:
+def elsewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Work in a folder of its own: MuJoCo writes MUJOCO_LOG.TXT where a model gives a warning."""
-    os.chdir(tmp_path)
+    monkeypatch.chdir(tmp_path)
 
 
 def pytest_configure(config: pytest.Config) -> None:

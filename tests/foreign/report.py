@@ -22,11 +22,11 @@ PACKAGES = {**PEERS, "MuJoCo": "mujoco", "NumPy": "numpy"}
 HEAD = (
     "model, camera",
     "kind",
-    "pixels that differ",
+    "pixels off",
     "our depth, mm",
     "its depth, mm",
-    "its depth, one sample, mm",
-    "not seen by rays",
+    "one sample, mm",
+    "unseen, %",
     "its K",
 )
 CAPTION = re.compile(r"^:::\{table\} (\w+): \d+ cameras$", re.MULTILINE)
@@ -51,9 +51,9 @@ def make_table(found: Sequence[Found], clouds: dict[View, float], drake: str) ->
     lines = [
         MADE_BY,
         "",
-        f"Python {python}, {versions}; drake {drake} for the clouds. Two pictures of",
-        f"{WIDTH} x {HEIGHT} for each camera, drawn by Mesa: no graphics card was tried. With one",
-        f"sample a pixel, our depth is the same in {same} of {len(found)} rows.",
+        f"Python {python}, {versions}; drake {drake} for the clouds.",
+        f"Two pictures of {WIDTH} x {HEIGHT} for each camera, drawn by Mesa: no graphics card was",
+        f"tried. With one sample a pixel, our depth is the same in {same} of {len(found)} rows.",
     ]
     groups = {peer: [one for one in found if one.view.peer == peer] for peer in PEERS}
     lines += _make_summary(groups)
@@ -81,10 +81,10 @@ def _make_summary(groups: dict[str, list[Found]]) -> list[str]:
     """Write one column for each peer: smallest and largest of what its table has."""
     cells = {
         "cameras": [str(len(rows)) for rows in groups.values()],
-        "pixels that differ": [str(sum(x.differing_pixels for x in g)) for g in groups.values()],
+        "pixels off": [str(sum(x.differing_pixels for x in g)) for g in groups.values()],
         "our depth, mm": [_range(x.depth_mm for x in g) for g in groups.values()],
         "its depth, mm": [_range(x.peer_mm for x in g) for g in groups.values()],
-        "its depth, one sample, mm": [_range(x.peer_single_mm for x in g) for g in groups.values()],
+        "one sample, mm": [_range(x.peer_single_mm for x in g) for g in groups.values()],
         "cameras where ours is nearer": [
             str(sum(x.depth_mm < x.peer_mm for x in g)) for g in groups.values()
         ],
@@ -121,7 +121,7 @@ def _make_row(one: Found) -> str:
         _round(one.depth_mm),
         _round(one.peer_mm),
         _round(one.peer_single_mm),
-        f"{100 * one.unseen:.1f} %",
+        f"{100 * one.unseen:.1f}",
         _tell_offset(one),
     )
     return f"| {' | '.join(map(str, cells))} |"
@@ -131,7 +131,7 @@ def _tell_offset(one: Found) -> str:
     if one.K_offset_px is None:
         return "none"
     x, y = one.K_offset_px[:2, 2]
-    return "same" if max(abs(x), abs(y)) < 1e-9 else f"{x:+.1f} px: {one.K_offset_mm:.1f} mm"
+    return "same" if max(abs(x), abs(y)) < 1e-9 else f"{one.K_offset_mm:.1f} mm"
 
 
 def _name(view: View) -> str:
@@ -143,7 +143,7 @@ def _round(millimeters: float) -> str:
     if millimeters < 1e-9:  # roundings of double precision
         return "0"
     if millimeters < 1e-4:
-        return "< 0.0001"
+        return "<0.0001"
     return f"{millimeters:.1g}" if millimeters < 1e-3 else f"{millimeters:.2g}"
 
 
