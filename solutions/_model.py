@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import inspect
 import itertools
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,6 +18,8 @@ from content.chapters import get_chapter
 from content.labels import make_link
 from labutils.checks.calls import call_once
 from labutils.checks.compare import is_same_outcome, to_canonical
+from labutils.checks.explain.arguments import with_argument
+from labutils.checks.explain.probes import MIN_CASES, list_changes
 from labutils.checks.kinds import get_kind
 from labutils.checks.progress import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
@@ -204,7 +206,7 @@ class Exercise:
             )
             for made in self.get_combinations()
         }
-        return CheckTable(
+        table = CheckTable(
             name=self.name,
             title=self.title,
             chapter=self.home.short,
@@ -220,6 +222,23 @@ class Exercise:
             expected=expected,
             wrong=wrong,
         )
+        return replace(table, matters=self._find_what_matters(table))
+
+    def _find_what_matters(self, table: CheckTable) -> tuple[str, ...]:
+        """Name the arguments, and entries of them, that change the right answer."""
+        found = []
+        for name, place, make in list_changes(table):
+            changed = 0
+            for case, due in zip(table.cases, table.expected, strict=True):
+                others = [] if case.raises else make(case)
+                answers = (
+                    call_once(self.parts, with_argument(case, place, other), self.reference)
+                    for other in others
+                )
+                changed += any(not is_same_outcome(self.parts, due, one) for one in answers)
+            if changed >= MIN_CASES:
+                found.append(name)
+        return tuple(found)
 
     def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
         return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 from labutils.checks.calls import collect_answers, find_call_problem
 from labutils.checks.compare import align_rows
+from labutils.checks.explain import find_odd_case, find_relation
+from labutils.checks.explain.probes import probe
 from labutils.checks.gates import Failure, find_failure
 from labutils.checks.kinds import get_kind
 from labutils.checks.recognize import get_hint, recognize_mistakes
@@ -90,7 +92,23 @@ def judge_answers(
     failed = _find_failed_part(table, answers, failure)
     told = [failure.text, _describe_where(table, failure, failed)]
     told += [f"Recognized: {text}" for text in get_hint(table, made)]
-    return _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
+    verdict = _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
+    return (
+        verdict if made or failure.gate == "runs" else _explain(verdict, table, answers, function)
+    )
+
+
+def _explain(
+    verdict: Verdict, table: CheckTable, answers: tuple[Outcome, ...], function: object
+) -> Verdict:
+    """Add what is seen of a mistake that has no name: the strongest that holds."""
+    found = find_relation(table, answers)
+    if found is None and callable(function) and (seen := probe(table, answers, function)):
+        return replace(verdict, paragraphs=(*verdict.paragraphs, seen.say()), probe=seen.name)
+    found = found or find_odd_case(table, answers)
+    if found is None:
+        return verdict
+    return replace(verdict, paragraphs=(*verdict.paragraphs, found.say()), relation=found.name)
 
 
 def _is_library_function(name: str, function: object) -> bool:

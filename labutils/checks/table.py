@@ -130,6 +130,8 @@ class CheckTable:
     wrong: dict[tuple[str, ...], tuple[Outcome, ...]]
     #: Mistakes that are explained in another section than the exercise.
     links: dict[str, str] = field(default_factory=dict)
+    #: The arguments, and entries of them, that make a difference: probes ask for no others.
+    matters: tuple[str, ...] = ()
 
     @property
     def signature(self) -> str:
@@ -189,6 +191,7 @@ def load_table(name: str, folder: Path = TABLES) -> CheckTable:
         expected=outcomes(words["expected"]),
         wrong={tuple(item["made"]): outcomes(item["answers"]) for item in words["wrong"]},
         links=dict(words["links"]),
+        matters=tuple(words["matters"]),
     )
 
 

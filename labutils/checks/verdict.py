@@ -52,6 +52,12 @@ class Verdict:
         range or value.
     misconception : str or None
         Name of the recognized mistake; two are joined by " + ".
+    relation : str or None
+        Where no mistake is recognized: how what came follows from what was due, in all cases,
+        such as "scaled:1000:depth"; several are joined by "+".
+    probe : str or None
+        Where there is no relation either: what calling the function again showed, such as
+        "no-effect:max_depth".
     paragraphs : tuple of str
         The message after its headline.
     link : str
@@ -70,6 +76,8 @@ class Verdict:
     link: str = ""
     picture: PanelPicture | None = None
     counted: bool = True
+    relation: str | None = None
+    probe: str | None = None
 
     @property
     def passed(self) -> bool:

@@ -132,6 +132,7 @@ def make_table(table: CheckTable) -> tuple[dict[str, Any], bytes]:
         "hints": list(table.hints),
         "misconceptions": table.misconceptions,
         "links": table.links,
+        "matters": list(table.matters),
         "cases": [
             {"label": case.label, "raises": case.raises, "args": encode(case.args, arrays)}
             for case in table.cases

@@ -36,6 +36,8 @@ class Kind(ABC):
         Whether the number of its rows is part of the answer.
     moves_with_cloud : bool
         Whether its rows are brought into another order together with those of a cloud.
+    relations : tuple of str
+        The families of `labutils.checks.explain` that make sense for it.
     """
 
     name: str
@@ -43,6 +45,7 @@ class Kind(ABC):
     shape: str
     counts_rows: bool = False
     moves_with_cloud: bool = False
+    relations: tuple[str, ...] = ("numbers",)
 
     #: Whether every value is compared by itself, so that a sample of them can refute an answer.
     is_elementwise: ClassVar[bool] = True
@@ -111,6 +114,10 @@ class Kind(ABC):
         typically. Of few numbers (a matrix, a pixel) tell which, to which side and roughly by
         which share: "off by 12.5" would give the right number away.
         """
+
+    def name_value(self, value: float) -> str:
+        """Write one value of the canonical form, in words where it stands for something."""
+        return f"{value:.4g}"
 
     def describe_worst(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> str:
         """Name the place that is off most, where there is one to look at."""

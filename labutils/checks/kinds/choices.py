@@ -68,8 +68,20 @@ class Flags(Kind):
 
 
 KINDS = (
-    Flag(name="flag", ndim=0, shape="a single value"),
-    Choice(name="choice", ndim=0, shape="a single whole number"),
-    Flags(name="flags", ndim=1, shape="(N,), one value per thing that came in"),
-    Names(name="names", ndim=1, shape="(N,), one text per object", counts_rows=True),
+    # A choice among a few fits by accident: nothing is told of how it differs.
+    Flag(name="flag", ndim=0, shape="a single value", relations=()),
+    Choice(name="choice", ndim=0, shape="a single whole number", relations=()),
+    Flags(
+        name="flags",
+        ndim=1,
+        shape="(N,), one value per thing that came in",
+        relations=("flags", "lists", "regions"),
+    ),
+    Names(
+        name="names",
+        ndim=1,
+        shape="(N,), one text per object",
+        counts_rows=True,
+        relations=("lists", "selections"),
+    ),
 )

@@ -64,7 +64,23 @@ def _describe_side(expected: float, yours: float) -> str:
 
 KINDS = (
     FewNumbers(name="number", ndim=0, shape="a single number"),
-    FewNumbers(name="matrix", ndim=2, shape="3 rows and 3 columns"),
-    FewNumbers(name="pixel", ndim=1, shape="two numbers", places="xyz"),
-    FewNumbers(name="vector", ndim=1, shape="as many numbers as the statement says"),
+    FewNumbers(
+        name="matrix",
+        ndim=2,
+        shape="3 rows and 3 columns",
+        relations=("numbers", "matrices", "entries"),
+    ),
+    FewNumbers(
+        name="pixel",
+        ndim=1,
+        shape="two numbers",
+        places="xyz",
+        relations=("numbers", "axes", "entries"),
+    ),
+    FewNumbers(
+        name="vector",
+        ndim=1,
+        shape="as many numbers as the statement says",
+        relations=("numbers", "axes", "entries"),
+    ),
 )

@@ -98,6 +98,10 @@ class MappedPicture(Picture):
         """Read the picture back."""
         return to_levels(value)
 
+    def name_value(self, value: float) -> str:
+        """Name black, which is on no map."""
+        return "black" if value == BLACK_LEVEL else super().name_value(value)
+
     def get_differences(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
         """Return the differences of the levels; infinite for colors of no known map."""
         expected, yours = to_levels(expected), to_levels(yours)
@@ -149,8 +153,28 @@ class Mask(Picture):
 
 
 KINDS = (
-    ColorPicture(name="rgb", ndim=3, shape="(H, W, 3), the size of the picture"),
-    MappedPicture(name="mapped", ndim=3, shape="(H, W, 3), the size of the depth image"),
-    Picture(name="depth", ndim=2, shape="(H, W), the size of the picture"),
-    Mask(name="mask", ndim=2, shape="(H, W), the size of the picture"),
+    ColorPicture(
+        name="rgb",
+        ndim=3,
+        shape="(H, W, 3), the size of the picture",
+        relations=("numbers", "pictures", "colors", "regions"),
+    ),
+    MappedPicture(
+        name="mapped",
+        ndim=3,
+        shape="(H, W, 3), the size of the depth image",
+        relations=("numbers", "pictures", "regions"),
+    ),
+    Picture(
+        name="depth",
+        ndim=2,
+        shape="(H, W), the size of the picture",
+        relations=("numbers", "pictures", "regions"),
+    ),
+    Mask(
+        name="mask",
+        ndim=2,
+        shape="(H, W), the size of the picture",
+        relations=("pictures", "masks", "regions"),
+    ),
 )

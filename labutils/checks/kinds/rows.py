@@ -92,13 +92,19 @@ class Cloud(Points):
 
 
 KINDS = (
-    Points(name="rows", ndim=2, shape="(N, 3), one row per point that came in"),
+    Points(
+        name="rows",
+        ndim=2,
+        shape="(N, 3), one row per point that came in",
+        relations=("numbers", "axes", "entries", "lists", "regions"),
+    ),
     Cloud(
         name="cloud",
         ndim=2,
         shape="(N, 3), one row per point that is kept",
         counts_rows=True,
         moves_with_cloud=True,
+        relations=("numbers", "axes", "entries", "selections"),
     ),
     Rows(
         name="attached",
@@ -107,14 +113,28 @@ KINDS = (
         counts_rows=True,
         moves_with_cloud=True,
         columns="RGB",
+        relations=("numbers", "axes", "entries", "selections"),
     ),
-    Points(name="pixels", ndim=2, shape="(N, 2), one row per point that came in", columns="uv"),
+    Points(
+        name="pixels",
+        ndim=2,
+        shape="(N, 2), one row per point that came in",
+        columns="uv",
+        relations=("numbers", "axes", "entries", "lists", "regions"),
+    ),
     Rows(
         name="boxes",
         ndim=2,
         shape="(N, 4), one row per object",
         counts_rows=True,
         columns=("left", "top", "width", "height"),
+        relations=("numbers", "entries", "lists", "selections"),
     ),
-    Column(name="list", ndim=1, shape="(N,), one value per object", counts_rows=True),
+    Column(
+        name="list",
+        ndim=1,
+        shape="(N,), one value per object",
+        counts_rows=True,
+        relations=("numbers", "lists", "selections"),
+    ),
 )

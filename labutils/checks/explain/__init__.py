@@ -1,0 +1,181 @@
+"""Say how an answer differs: an exact relation between what came and what was due, or nothing.
+
+Where no listed mistake fits, `find_relation` looks for the simplest relation that holds in every
+case, out of a small algebra; each kind of answer names the families of it that make sense. What is
+told was seen in every value of every case. It is never a guess, and never the value that is due.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from labutils.checks.compare import align_rows
+from labutils.checks.explain import axes, numbers, places, regions, selections
+from labutils.checks.explain.relation import Pair, Relation, choose
+from labutils.checks.explain.told import Explanation
+from labutils.checks.kinds import get_kind
+from labutils.checks.table import Scene
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from labutils.checks.table import CheckTable, Outcome
+
+#: The families of relations, by the names that kinds of answers give them.
+FAMILIES: dict[str, Callable[[list[Pair]], Iterator[Relation]]] = {
+    "numbers": numbers.propose,
+    "pictures": places.propose_pictures,
+    "masks": places.propose_masks,
+    "colors": places.propose_colors,
+    "matrices": places.propose_matrices,
+    "lists": places.propose_lists,
+    "flags": places.propose_flags,
+    "axes": axes.propose_axes,
+    "entries": axes.propose_entries,
+    "selections": selections.propose,
+    "regions": regions.propose,
+}
+
+_SCOPES = {1: "", 2: "In both cases: "}
+
+
+def find_relation(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
+    """Find how every wrong part differs: in all cases, or in those that are wrong alone.
+
+    Parameters
+    ----------
+    table : CheckTable
+        The cases and the answers due.
+    answers : tuple of Outcome
+        What came, one per case.
+
+    Returns
+    -------
+    Explanation or None
+        None unless every wrong part has exactly one simplest relation.
+    """
+    with np.errstate(all="ignore"):
+        parts = [pairs for pairs in collect_pairs(table, answers) if pairs]
+        if found := _relate_parts(table, parts, ""):
+            return found
+        wrong, right = _sort_cases(parts)
+        if not wrong or not right:
+            return None
+        some = [[pair for pair in pairs if pair.case in wrong] for pairs in parts]
+        cases = ", ".join(str(case + 1) for case in wrong)
+        others = "the others agree" if len(right) > 1 else "the other agrees"
+        return _relate_parts(
+            table, [pairs for pairs in some if pairs], f"Only in case {cases}, {others}: "
+        )
+
+
+def find_odd_case(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
+    """Name the only case that is wrong, or the only one that is right: its label says why.
+
+    The weakest that can be told; parameters as in `find_relation`.
+    """
+    wrong, right = _sort_cases([pairs for pairs in collect_pairs(table, answers) if pairs])
+    if len(wrong) == 1 < len(right):
+        (case,) = wrong
+        text = f"Of {len(right) + 1} cases only this one is wrong: {table.cases[case].label}."
+        return Explanation(f"only-wrong:{case + 1}", text)
+    if len(right) == 1 < len(wrong):
+        (case,) = right
+        text = f"Of {len(wrong) + 1} cases only one is right: {table.cases[case].label}."
+        return Explanation(f"only-right:{case + 1}", text)
+    return None
+
+
+def _relate_parts(table: CheckTable, parts: list[list[Pair]], scope: str) -> Explanation | None:
+    """Relate every wrong part in the cases given; None where one has no relation of its own."""
+    texts, names, right, seen = [], [], [], set()
+    count = 0
+    for pairs in parts:
+        part = pairs[0].part
+        if all(pair.is_right for pair in pairs):
+            right.append(part.name)
+            continue
+        relation = _relate(pairs)
+        if relation is None:
+            return None
+        # A cloud and its colors lose the same rows: that is said once.
+        if relation.text in seen:
+            continue
+        seen.add(relation.text)
+        # An entry bears the name of its part already.
+        start = "" if relation.text.startswith(f"{part.name}[") else f"{part.name}: "
+        texts.append(f"{start}{relation.text}")
+        names.append(f"{relation.name}:{part.name}" if len(table.parts) > 1 else relation.name)
+        count = len({pair.case for pair in pairs})
+    if not texts:
+        return None
+    scope = scope or _SCOPES.get(count, f"In all {count} cases: ")
+    agree = f" {' and '.join(right)} agree{'' if len(right) > 1 else 's'}." if right else ""
+    return Explanation("+".join(names), f"{scope}{'. '.join(texts)}.{agree}")
+
+
+def _sort_cases(parts: list[list[Pair]]) -> tuple[list[int], list[int]]:
+    """Return the cases with a wrong part, and the others; an empty one is right by itself."""
+    state: dict[int, bool] = {}
+    for pairs in parts:
+        for pair in pairs:
+            if pair.due.size or not pair.is_right:
+                state[pair.case] = state.get(pair.case, True) and pair.is_right
+    wrong = [case for case, is_right in state.items() if not is_right]
+    return wrong, [case for case, is_right in state.items() if is_right]
+
+
+def _relate(pairs: list[Pair]) -> Relation | None:
+    kind = get_kind(pairs[0].part)
+    proposals = [one for family in kind.relations for one in FAMILIES[family](pairs)]
+    return choose([*proposals, *_propose_arguments(pairs)], pairs)
+
+
+def _propose_arguments(pairs: list[Pair]) -> Iterator[Relation]:
+    """Propose that an argument came back unchanged."""
+    for name, value in pairs[0].args.items():
+        if isinstance(value, np.ndarray) and all(name in pair.args for pair in pairs):
+            yield Relation(
+                f"returned:{name}",
+                f"{name}, unchanged",
+                0.9,
+                partial(_get_argument, name),
+            )
+
+
+def _get_argument(name: str, pair: Pair) -> np.ndarray:
+    return pair.args[name]
+
+
+def collect_pairs(table: CheckTable, answers: tuple[Outcome, ...]) -> list[list[Pair]]:
+    """Pair what was due with what came: one list per part, of the cases where both exist."""
+    found: list[list[Pair]] = [[] for _ in table.parts]
+    for index, (case, due, yours) in enumerate(
+        zip(table.cases, table.expected, answers, strict=True)
+    ):
+        if not isinstance(due, tuple) or not isinstance(yours, tuple):
+            continue
+        aligned = align_rows(table.parts, due, yours)
+        args = _name_arguments(table, case.args)
+        for number, (part, x, y) in enumerate(zip(table.parts, due, aligned, strict=True)):
+            if x is None or y is None or not (x.size or y.size):
+                continue
+            if x.ndim == y.ndim:
+                x, y = map(get_kind(part).to_canonical, (x, y))  # noqa: PLW2901
+            found[number].append(Pair(index, args, part, x, y))
+    return found
+
+
+def _name_arguments(table: CheckTable, args: tuple[object, ...]) -> dict[str, object]:
+    """Name the arguments that are no scene; a scene fills several parameters."""
+    names = list(table.parameters)
+    found: dict[str, object] = {}
+    for value in args:
+        if isinstance(value, Scene):
+            del names[: len(value.gives)]
+        else:
+            found[names.pop(0)] = value
+    return found
