@@ -12,7 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 from labutils._constants import HSV_RANGES, MAX_DEPTH, MIN_DEPTH
 from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
-from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
+from labutils.depth_values import (
+    find_valid_depth,
+    get_clip_planes,
+    get_depth_limits,
+    metric_to_raw,
+    process_depth,
+)
 from labutils.ply import read_ply, read_ply_comments, write_ply
 from labutils.projection import (
     camera_to_world,
@@ -101,6 +107,7 @@ __all__ = [
     "get_camera_intrinsics",
     "get_camera_pose",
     "get_clip_planes",
+    "get_depth_limits",
     "hint",
     "intrinsics_matrix",
     "is_gl_available",

@@ -12,7 +12,6 @@ from functools import lru_cache
 import cv2
 import numpy as np
 
-from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils.depth_values import find_valid_depth
 
 #: 80 rows of a 640-pixel picture: all temporaries of a block fit into the cache.
@@ -20,7 +19,7 @@ _BLOCK_ROWS = 80
 
 
 def back_project(
-    depth: np.ndarray, K: np.ndarray, rgb: np.ndarray | None
+    depth: np.ndarray, K: np.ndarray, rgb: np.ndarray | None, limits: tuple[float, float]
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """Compute points and colors of the pixels that see a surface, in the order of the pixels.
 
@@ -32,6 +31,8 @@ def back_project(
         Intrinsic matrix.
     rgb : ndarray, uint8, shape (H, W, 3), contiguous, optional
         Colors.
+    limits : tuple of float
+        (min_depth, max_depth) in meters: what lies at or outside them is no surface.
 
     Returns
     -------
@@ -46,7 +47,7 @@ def back_project(
     for top in range(0, height, _BLOCK_ROWS):
         rows = slice(top, top + _BLOCK_ROWS)
         z = depth[rows]
-        kept = None if _is_full(z) else find_valid_depth(z).reshape(-1)
+        kept = None if _is_full(z, limits) else find_valid_depth(z, *limits).reshape(-1)
         block = slice(count, count + (z.size if kept is None else int(np.count_nonzero(kept))))
         _unproject(z, (slopes[0][: len(z)], slopes[1][rows]), planes, kept, points[block])
         if rgb is not None:
@@ -73,12 +74,13 @@ def _make_slopes(
     return tables
 
 
-def _is_full(depth: np.ndarray) -> bool:
+def _is_full(depth: np.ndarray, limits: tuple[float, float]) -> bool:
     """Tell whether `find_valid_depth` would mark every pixel, in a quarter of the time.
 
     NaN makes both comparisons false.
     """
-    return bool(depth.min() > MIN_DEPTH and depth.max() < MAX_DEPTH)
+    min_depth, max_depth = limits
+    return bool(depth.min() > min_depth and depth.max() < max_depth)
 
 
 def _allocate(count: int, dtype: np.dtype) -> tuple[np.ndarray, np.ndarray]:

@@ -159,7 +159,8 @@ def check_pose(cam_xpos: Any, cam_xmat: Any) -> tuple[np.ndarray, np.ndarray]:
     rotation = rotation.reshape(3, 3)
     # 1e-6 is far above the rounding of a rotation kept in double (or read from float32 text with
     # 7 digits) and far below any scale or shear that would move a point visibly.
-    proper = np.allclose(rotation @ rotation.T, np.eye(3), rtol=0, atol=1e-6)
+    # (A comparison with NaN is False. np.allclose takes longer than moving a thousand points.)
+    proper = bool((np.abs(rotation @ rotation.T - np.eye(3)) <= 1e-6).all())
     if not proper or np.linalg.det(rotation) < 0:
         raise ValueError("cam_xmat: expected a rotation matrix (orthonormal, determinant +1)")
     return position, rotation

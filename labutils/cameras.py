@@ -97,7 +97,8 @@ def get_camera_intrinsics(
     K : ndarray, float64, shape (3, 3)
         Pixels.
     fov_y : float
-        Vertical field of view in radians.
+        Vertical field of view in radians: the angle between the rays through the upper and the
+        lower edge of the picture.
 
     Raises
     ------

@@ -39,7 +39,8 @@ def segment_by_color(rgb_image: ArrayLike, target_hsv_range: HsvRange) -> np.nda
     Returns
     -------
     ndarray, uint8, shape (H, W)
-        255 inside, 0 outside, after opening and then closing with 5x5 ones.
+        255 inside, 0 outside, after opening and then closing with 5x5 ones, at the border as
+        ``cv2.morphologyEx`` does it.
 
     Raises
     ------

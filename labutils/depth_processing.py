@@ -12,7 +12,13 @@ import cv2
 import numpy as np
 
 from labutils._guards import check_depth_image
-from labutils.depth_values import find_valid_depth, get_clip_planes, metric_to_raw, process_depth
+from labutils.depth_values import (
+    find_valid_depth,
+    get_clip_planes,
+    get_depth_limits,
+    metric_to_raw,
+    process_depth,
+)
 
 if TYPE_CHECKING:
     import mujoco
@@ -24,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = [
     "find_valid_depth",
     "get_clip_planes",
+    "get_depth_limits",
     "metric_to_raw",
     "process_depth",
     "render_raw_depth",

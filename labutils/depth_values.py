@@ -16,6 +16,13 @@ if TYPE_CHECKING:
     import mujoco
     from numpy.typing import ArrayLike
 
+#: What reads beyond this share of the far plane is sky, where the planes are as far apart as usual.
+_SKY_SHARE = 0.999
+
+#: From 1 to the next float32. `mujoco.Renderer` divides by a difference of two such numbers, which
+#: is near / far and at most three quarters of a step wrong: three roundings of half a step, halved.
+_FLOAT32_STEP = 2.0**-23
+
 
 def get_clip_planes(model: mujoco.MjModel) -> tuple[float, float]:
     """Read the near and far clip planes of a model in meters.
@@ -36,6 +43,30 @@ def get_clip_planes(model: mujoco.MjModel) -> tuple[float, float]:
     near = float(f"{model.vis.map.znear * extent:.6g}")
     far = float(f"{model.vis.map.zfar * extent:.6g}")
     return near, far
+
+
+def get_depth_limits(model: mujoco.MjModel) -> tuple[float, float]:
+    """Choose between which depths a reading of a model's cameras is a surface.
+
+    What `find_valid_depth` and `depth_to_pointcloud` take for `min_depth` and `max_depth`, where a
+    scene is much smaller or larger than the room of this book:
+    ``depth_to_pointcloud(depth, K, min_depth=low, max_depth=high)``.
+
+    Convention
+    ----------
+    Nothing before the near plane is drawn, and sky reads the far plane up to rounding, 200.007 m
+    where it stands at 200 m. So sky begins a thousandth before the far plane, and a surface beyond
+    that counts as sky. Where the far plane is more than 8000 times as far as the near one, sky
+    begins earlier: its depth is a quotient by a difference of float32 numbers near 1, and reads up
+    to 0.5 % wrong where the far plane is 50,000 times as far.
+
+    Returns
+    -------
+    tuple of float
+        (min_depth, max_depth) in meters.
+    """
+    near, far = get_clip_planes(model)
+    return near, min(_SKY_SHARE * far, far / (1 + _FLOAT32_STEP * far / near))
 
 
 def process_depth(depth_raw: ArrayLike, near: float = 0.01, far: float = 10.0) -> np.ndarray:

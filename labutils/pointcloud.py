@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from labutils._back_projection import back_project
+from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils._guards import (
     check_colors,
     check_columns,
     check_depth_image,
+    check_depth_limits,
     check_intrinsics,
     check_rgb_image,
 )
@@ -39,7 +41,12 @@ __all__ = [
 
 
 def depth_to_pointcloud(
-    depth_metric: ArrayLike, K: ArrayLike, rgb_image: ArrayLike | None = None
+    depth_metric: ArrayLike,
+    K: ArrayLike,
+    rgb_image: ArrayLike | None = None,
+    *,
+    min_depth: float = MIN_DEPTH,
+    max_depth: float = MAX_DEPTH,
 ) -> tuple[np.ndarray, np.ndarray | None]:
     """Back-project a depth image into colored points.
 
@@ -56,6 +63,9 @@ def depth_to_pointcloud(
         Intrinsic matrix of the picture, in pixels.
     rgb_image : array-like, uint8, shape (H, W, 3), optional
         Colors of the same pixels.
+    min_depth, max_depth : float
+        Other limits, in meters, than the two named below, for a scene of another size: see
+        `get_depth_limits`. A ValueError unless 0 < min_depth < max_depth.
 
     Returns
     -------
@@ -84,6 +94,7 @@ def depth_to_pointcloud(
     """
     depth = check_depth_image("depth_metric", depth_metric)
     K = check_intrinsics(K)
+    limits = check_depth_limits("min_depth", min_depth, "max_depth", max_depth)
     dtype = np.float64 if depth.dtype == np.float64 else np.float32
     depth = np.ascontiguousarray(depth, dtype=dtype)
     rgb = None
@@ -93,7 +104,7 @@ def depth_to_pointcloud(
             raise ValueError(
                 f"rgb_image: expected the depth image's size {depth.shape}, got {rgb.shape[:2]}"
             )
-    return back_project(depth, K, rgb)
+    return back_project(depth, K, rgb, limits)
 
 
 def visualize_pointcloud(points: ArrayLike, colors: ArrayLike | None = None) -> object | None:

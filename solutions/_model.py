@@ -35,8 +35,8 @@ __all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part"]
 #: at once then still fit below twelve lines.
 MAX_TEXT = 176
 
-#: How many mistakes a card recognizes, and how many characters their texts have at least.
-MISCONCEPTIONS = range(4, 8)
+#: How many mistakes a card recognizes at least, and how many characters their texts have.
+MIN_MISCONCEPTIONS = 4
 MIN_TEXT = 40
 
 Mistakes = frozenset[str]
@@ -126,10 +126,10 @@ class Exercise:
 
     def __post_init__(self) -> None:
         names = [one.name for one in self.misconceptions]
-        if len(set(names)) != len(names) or len(names) not in MISCONCEPTIONS:
-            low, high = MISCONCEPTIONS[0], MISCONCEPTIONS[-1]
+        if len(set(names)) != len(names) or len(names) < MIN_MISCONCEPTIONS:
             raise ValueError(
-                f"{self.name}: expected {low} to {high} different misconceptions, got {names}"
+                f"{self.name}: expected at least {MIN_MISCONCEPTIONS} different misconceptions, "
+                f"got {names}"
             )
         for part in self.parts:
             get_kind(part)  # raises where there is no such kind

@@ -25,8 +25,9 @@ def camera_to_world(points, cam_xpos, cam_xmat):
 
     Returns
     -------
-    ndarray, float64, shape (N, 3)
-        World coordinates in meters.
+    ndarray, float32 or float64, shape (N, 3)
+        World coordinates in meters; float32 only where float32 points
+        came in.
 
     Raises
     ------

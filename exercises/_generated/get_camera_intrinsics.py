@@ -31,7 +31,8 @@ def get_camera_intrinsics(model, camera_name, width, height):
     K : ndarray, float64, shape (3, 3)
         Pixels.
     fov_y : float
-        Vertical field of view in radians.
+        Vertical field of view in radians: the angle between the rays
+        through the upper and the lower edge of the picture.
 
     Raises
     ------

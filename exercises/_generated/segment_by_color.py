@@ -29,7 +29,7 @@ def segment_by_color(rgb_image, target_hsv_range):
     -------
     ndarray, uint8, shape (H, W)
         255 inside, 0 outside, after opening and then closing with 5x5
-        ones.
+        ones, at the border as ``cv2.morphologyEx`` does it.
 
     Raises
     ------

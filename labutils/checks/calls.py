@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from labutils.checks.kinds import get_kind
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
 
 Function = Callable[..., object]
@@ -26,7 +27,29 @@ def collect_answers(table: CheckTable, function: Function) -> tuple[Outcome, ...
     Every call gets its own copy of the arguments: a function that writes into its input, or keeps
     it, changes no other case.
     """
-    return tuple(call_once(table.parts, case, function) for case in table.cases)
+    return _unify(table, tuple(call_once(table.parts, case, function) for case in table.cases))
+
+
+def _unify(table: CheckTable, answers: tuple[Outcome, ...]) -> tuple[Outcome, ...]:
+    """Bring the answers of all cases into one form, where the statement leaves a choice."""
+    both = [
+        (n, due, yours)
+        for n, (due, yours) in enumerate(zip(table.expected, answers, strict=True))
+        if isinstance(due, tuple) and isinstance(yours, tuple)
+    ]
+    unified = {n: list(yours) for n, _, yours in both}
+    for number, part in enumerate(table.parts):
+        pairs = [
+            (n, x, y)
+            for n, due, yours in both
+            if (x := due[number]) is not None and (y := yours[number]) is not None
+        ]
+        if not pairs:
+            continue
+        changed = get_kind(part).unify([x for _, x, _ in pairs], [y for _, _, y in pairs])
+        for (n, _, _), value in zip(pairs, changed, strict=True):
+            unified[n][number] = value
+    return tuple(tuple(unified[n]) if n in unified else answer for n, answer in enumerate(answers))
 
 
 def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcome:

@@ -178,7 +178,7 @@ GRID = np.arange(12.0).reshape(4, 3)
             "mapped",
             np.array([[[255, 0, 0]]], np.uint8),
             np.array([[[9, 200, 9]]], np.uint8),
-            "x: these colors belong neither to COLORMAP_TURBO nor to COLORMAP_JET nor to",
+            "x: its colors do not follow the depth along one map",
         ),
         (
             "mask",

@@ -164,7 +164,7 @@ def test_empty_function_of_two_results_counts_as_not_started(value: EllipsisType
             "visualize_depth",
             lambda d, _: np.full((*d.shape, 3), (9, 200, 9), np.uint8),
             "value",
-            "belong neither to COLORMAP_TURBO nor to COLORMAP_JET",
+            "do not follow the depth along one map",
         ),
         ("camera_to_world", lambda p, *_: p[:, :2], "shape", "points has shape (5, 2)"),
         ("camera_to_world", lambda p, *_: p + np.array([0.5, 0, 0]), "value", "x in 5 of 5 rows"),

@@ -27,7 +27,7 @@ HEAD = (
     "its depth, mm",
     "one sample, mm",
     "unseen, %",
-    "its K",
+    "its K, mm",
 )
 CAPTION = re.compile(r"^:::\{table\} (\w+): \d+ cameras$", re.MULTILINE)
 ROW = re.compile(r"^\| `(\S+)` `(\S+)` \| \w+ \| (\d+) \|", re.MULTILINE)
@@ -131,7 +131,7 @@ def _tell_offset(one: Found) -> str:
     if one.K_offset_px is None:
         return "none"
     x, y = one.K_offset_px[:2, 2]
-    return "same" if max(abs(x), abs(y)) < 1e-9 else f"{one.K_offset_mm:.1f} mm"
+    return "same" if max(abs(x), abs(y)) < 1e-9 else f"{one.K_offset_mm:.1f}"
 
 
 def _name(view: View) -> str:

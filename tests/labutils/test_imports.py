@@ -182,11 +182,12 @@ def test_geometry_runs_where_only_numpy_exists() -> None:
         "    sys.modules[name] = None",
         *(f"import labutils.{name}" for name in ON_NUMPY_ALONE),
         "import numpy as np",
-        "from labutils import find_valid_depth, pixels_to_points",
+        "from labutils import camera_to_world, find_valid_depth, pixels_to_points",
         "from labutils.stereo import depth_to_disparity",
         "K = np.array([[250.0, 0, 320], [0, 250.0, 240], [0, 0, 1]])",
         "print(pixels_to_points([[320, 240]], [2.0], K)[0].tolist())",
         "print(depth_to_disparity(2.0, K, 0.1), find_valid_depth([2.0, 99.0]).tolist())",
+        "print(camera_to_world([[1, 2, 3]], [10, 20, 30], np.eye(3)).tolist())",
     ]
     done = subprocess.run(
         [sys.executable, "-c", "\n".join(lines)],
@@ -195,7 +196,8 @@ def test_geometry_runs_where_only_numpy_exists() -> None:
         check=False,
         timeout=60,
     )
-    assert done.stdout.splitlines() == ["[0.0, 0.0, 2.0]", "12.5 [True, False]"], done.stderr
+    said = ["[0.0, 0.0, 2.0]", "12.5 [True, False]", "[[11.0, 18.0, 27.0]]"]
+    assert done.stdout.splitlines() == said, done.stderr
 
 
 def test_a_camera_is_read_by_attribute_from_whatever_has_them() -> None:
@@ -240,7 +242,7 @@ def test_every_module_of_the_lab_sheet_still_has_its_functions() -> None:
     for module, names in {
         camera_utils: "render_camera intrinsics_matrix get_camera_intrinsics get_camera_pose",
         depth_processing: "process_depth visualize_depth find_valid_depth get_clip_planes "
-        "metric_to_raw render_raw_depth",
+        "get_depth_limits metric_to_raw render_raw_depth",
         color_segmentation: "segment_by_color find_object_centroid visualize_detection",
         pointcloud: "depth_to_pointcloud camera_to_world visualize_pointcloud world_to_camera "
         "pixels_to_points points_to_pixels",

@@ -54,6 +54,35 @@ def test_what_is_no_surface_is_left_out(K: np.ndarray) -> None:
     assert colors is None
 
 
+@pytest.mark.parametrize("holes", [0.0, 0.3])
+def test_other_limits_leave_out_what_lies_outside_them(K: np.ndarray, holes: float) -> None:
+    # More rows than one block has: full blocks take a path of their own.
+    rng = np.random.default_rng(7)
+    depth = rng.uniform(0.002, 0.009, (200, 30))
+    depth[rng.random(depth.shape) < holes] = 0.5
+    points, _ = depth_to_pointcloud(depth, K, min_depth=0.001, max_depth=0.5)
+    assert_allclose(points[:, 2], depth[depth < 0.5], rtol=EXACT)
+    far, _ = depth_to_pointcloud(10_000 * depth, K, min_depth=10.0, max_depth=5000.0)
+    assert_allclose(far, 10_000 * points, rtol=EXACT)
+    assert len(depth_to_pointcloud(depth, K)[0]) == (depth == 0.5).sum()
+
+
+@pytest.mark.parametrize(
+    ("limits", "error", "words"),
+    [
+        ({"min_depth": 10.0}, ValueError, "expected 0 < min_depth < max_depth, got 10.0 and 10.0"),
+        ({"max_depth": np.inf}, ValueError, "expected 0 < min_depth < max_depth"),
+        ({"min_depth": 0}, ValueError, "expected 0 < min_depth < max_depth"),
+        ({"max_depth": "5"}, TypeError, "max_depth: expected meters as a number, got str '5'"),
+    ],
+)
+def test_limits_that_are_none_are_refused(
+    K: np.ndarray, limits: dict[str, Any], error: type[Exception], words: str
+) -> None:
+    with pytest.raises(error, match=words):
+        depth_to_pointcloud(np.ones((2, 2)), K, **limits)
+
+
 def test_a_few_invalid_rows_do_not_disturb_their_neighbors(K: np.ndarray) -> None:
     # Blocks of rows that are all valid take a faster path than blocks with holes.
     depth = np.full((200, 30), 2.0, np.float32)

@@ -16,7 +16,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def test_make_bench_runs_every_bench() -> None:
     folder = ROOT / "tools" / "bench"
-    helpers = {"__init__", "__main__", "routes"}
+    routes = {"routes", "world_routes", "drake_route"}
+    helpers = {"__init__", "__main__", "serving", "workers", *routes}
     assert set(every.BENCHES) == {path.stem for path in folder.glob("*.py")} - helpers
     assert "-m tools.bench\n" in (ROOT / "Makefile").read_text()
 

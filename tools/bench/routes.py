@@ -1,44 +1,16 @@
-"""The routes that tools/bench/clouds.py compares, and the process that runs one of them.
+"""The routes that tools/bench/clouds.py compares, each for a process of its own.
 
-Every route starts from NumPy arrays and ends with NumPy arrays. Started as a script, with a route
-and a frame, it answers each line "run N" on its standard input with the seconds of N runs.
+Clouds in the camera frame, and pictures; clouds in the world are in `tools.bench.world_routes`.
 """
 
 from __future__ import annotations
 
-import os
 import sys
-import time
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-#: Route to its name in the table. The first one is what the others are compared with.
-CLOUD = {
-    "labutils": "`labutils.depth_to_pointcloud`",
-    "open3d_legacy": "Open3D, `o3d.geometry`",
-    "open3d_legacy_prebuilt": "Open3D, `o3d.geometry`, its images made beforehand",
-    "open3d_tensor": "Open3D, `o3d.t.geometry`",
-    "open3d_tensor_prebuilt": "Open3D, `o3d.t.geometry`, its images made beforehand",
-    "textbook": "the lab sheet's way, plain NumPy",
-    "opencv": "`cv2.depthTo3d`: no colors, no filter",
-    "copy": "copying the two pictures: no cloud at all",
-}
-RENDER = {
-    "bare": "two bare passes of `mujoco.Renderer`",
-    "render_camera": "`labutils.render_camera`",
-    "color": "the bare color pass alone",
-    "color_no_shadow": "the bare color pass alone, without shadows",
-}
-
-#: Routes that do less than the others, so their results cannot agree.
-NOT_COMPARABLE = {"opencv", "copy", "color", "color_no_shadow"}
-
-MIN_DEPTH, MAX_DEPTH = 0.01, 10.0
-
-Route = Callable[[], tuple[Any, Any]]
+from tools.bench.serving import MAX_DEPTH, MIN_DEPTH, Frame, Route, serve
 
 
 def make_labutils(rgb: np.ndarray, depth: np.ndarray, K: np.ndarray) -> Route:
@@ -49,10 +21,23 @@ def make_labutils(rgb: np.ndarray, depth: np.ndarray, K: np.ndarray) -> Route:
 
 
 def make_open3d_legacy(
-    rgb: np.ndarray, depth: np.ndarray, K: np.ndarray, *, prebuilt: bool = False
+    rgb: np.ndarray,
+    depth: np.ndarray,
+    K: np.ndarray,
+    *,
+    pose: np.ndarray | None = None,
+    prebuilt: bool = False,
 ) -> Route:
-    """Open3D's first interface; its filter is the far limit, and nothing here is too near."""
+    """Open3D's first interface; its filter is the far limit, and nothing here is too near.
+
+    `pose` (3, 4) takes its points into the world. Without one it turns them all the same.
+    """
     import open3d as o3d  # noqa: PLC0415 - one process, one library
+
+    extrinsic: np.ndarray = np.eye(4)
+    if pose is not None:
+        extrinsic[:3] = pose
+        extrinsic = np.linalg.inv(extrinsic)
 
     height, width = depth.shape
     camera = o3d.camera.PinholeCameraIntrinsic(width, height, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
@@ -72,7 +57,7 @@ def make_open3d_legacy(
 
     def run() -> tuple[np.ndarray, np.ndarray]:
         images = make_images() if kept is None else kept
-        cloud = o3d.geometry.PointCloud.create_from_rgbd_image(images, camera)
+        cloud = o3d.geometry.PointCloud.create_from_rgbd_image(images, camera, extrinsic)
         return np.asarray(cloud.points), np.asarray(cloud.colors)
 
     return run
@@ -157,49 +142,15 @@ def make_renderers() -> dict[str, Route]:
     }
 
 
-def make_route(name: str, frame: Path) -> Route:
+def make_route(name: str, frame: Frame) -> Route:
     """Build one route, ready to run."""
-    if name in RENDER:
-        return make_renderers()[name]
-    with np.load(frame) as file:
-        inputs = file["rgb"], file["depth"], file["K"]
+    inputs = frame["rgb"], frame["depth"], frame["K"]
     base = name.removesuffix("_prebuilt")
+    if f"make_{base}" not in globals():
+        return make_renderers()[name]
     options = {"prebuilt": True} if name != base else {}
     return globals()[f"make_{base}"](*inputs, **options)
 
 
-def sort_cloud(points: np.ndarray, colors: np.ndarray | None) -> list[np.ndarray]:
-    """Sort points by where they are: Open3D's threads hand them over in any order."""
-    if colors is None or np.ndim(points) != 2 or points.shape[1:] != (3,):
-        return [np.asarray(points)]
-    # The bearing x/z, y/z is the pixel; rounded, so that float32 and float64 sort alike.
-    bearing = np.round(points[:, :2] / points[:, 2:] * 1e4).astype(int)
-    order = np.lexsort((bearing[:, 0], bearing[:, 1]))
-    return [points[order], colors[order]]
-
-
-def measure(route: Route) -> float:
-    """Run once; return seconds."""
-    started = time.perf_counter()
-    route()  # the result is dropped at once: handing memory back is part of the price
-    return time.perf_counter() - started
-
-
-def main() -> int:
-    """Serve one route until the input ends."""
-    route = make_route(sys.argv[1], Path(sys.argv[2]))
-    # The answers get the real output; whatever a library prints goes to the error output.
-    answers = os.fdopen(os.dup(1), "w", buffering=1)
-    os.dup2(2, 1)
-    for line in sys.stdin:
-        command, _, argument = line.strip().partition(" ")
-        if command == "save":
-            np.savez(argument, *sort_cloud(*route()))
-            answers.write("saved\n")
-            continue
-        answers.write(" ".join(str(measure(route)) for _ in range(int(argument))) + "\n")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(serve(make_route))

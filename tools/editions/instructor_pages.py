@@ -20,6 +20,8 @@ import yaml
 from content.chapters import list_taught
 from content.page_minutes import Minutes, read_minutes
 from content.toc import read_toc
+from labutils.checks.explain import FAMILIES
+from labutils.checks.kinds import KINDS
 from labutils.checks.table import Raised
 from solutions import QUALITY_POINTS, load_exercises
 from tools import ROOT
@@ -91,7 +93,35 @@ def make_pages(root: Path) -> dict[Path, str]:
         pages[PAGES / f"{chapter.id}.md"] = make_chapter(
             chapter, exercises, minutes[chapter.id], read_notes(root, chapter)
         )
+    pages[PAGES / "checks.md"] = make_checks(root)
     return pages
+
+
+def make_checks(root: Path) -> str:
+    """Return the page on how a check decides, with the families that each kind of answer has."""
+    rows = [f"| {name} | {', '.join(kind.relations) or 'none'} |" for name, kind in KINDS.items()]
+    families = [
+        f"| {name} | {(family.__doc__ or '').splitlines()[0].removeprefix('Propose ')} |"
+        for name, family in FAMILIES.items()
+    ]
+    text = (root / NOTES / "checks.md").read_text(encoding="utf-8").strip()
+    return f"""(page-instructor-checks)=
+# How does a check decide?
+
+{MADE_BY}
+
+{text}
+
+## Which relations are there?
+
+| Family | What it proposes |
+|---|---|
+{chr(10).join(families)}
+
+| Kind of answer | Families |
+|---|---|
+{chr(10).join(rows)}
+"""
 
 
 def read_notes(root: Path, chapter: Chapter) -> str:

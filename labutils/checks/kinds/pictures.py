@@ -10,6 +10,7 @@ import numpy as np
 
 from labutils.checks.kinds.base import Kind, round_to_digit
 from labutils.checks.kinds.color_levels import BLACK_LEVEL, to_levels
+from labutils.checks.kinds.learned_map import read_with_learned_map
 from labutils.checks.kinds.panels import draw_pictures, paint_values
 
 if TYPE_CHECKING:
@@ -98,6 +99,12 @@ class MappedPicture(Picture):
         """Read the picture back."""
         return to_levels(value)
 
+    def unify(self, dues: list[np.ndarray], yours: list[np.ndarray]) -> list[np.ndarray]:
+        """Draw pictures of an unlisted map from blue to red in a listed one."""
+        if all(to_levels(picture).ndim == 2 for picture in yours):
+            return yours
+        return read_with_learned_map(dues, yours) or yours
+
     def name_value(self, value: float) -> str:
         """Name black, which is on no map."""
         return "black" if value == BLACK_LEVEL else super().name_value(value)
@@ -115,8 +122,8 @@ class MappedPicture(Picture):
         """Say which maps are known where yours is none of them."""
         if to_levels(yours).ndim == 3:
             return (
-                f"{part.name}: these colors belong neither to COLORMAP_TURBO nor to COLORMAP_JET "
-                "nor to a straight ramp from blue to red."
+                f"{part.name}: its colors do not follow the depth along one map that leads from "
+                "blue (close) to red (far), the same in all cases."
             )
         return super().describe(part, expected, yours, wrong)
 
