@@ -15,7 +15,7 @@ export EDITION
 
 .DEFAULT_GOAL := help
 .PHONY: help setup book serve lab outputs exercises new-chapter \
-	new-exercise unfilled student test test-slow lint format check bench lock clean
+	new-exercise unfilled student test test-slow foreign lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -58,6 +58,9 @@ test: book ## run the tests, every page in a browser, every chapter as a noteboo
 test-slow: book ## run what is slow by nature: all seeds, scratch copies, other versions
 	@echo "test-slow: needs what \`make test\` needs, and from the package index OpenCV 4.11"
 	@$(RUN) -m pytest -n auto --dist worksteal -m slow --record-slow=book/_generated/slow_tests.md
+
+foreign: setup ## look at robots of dm_control, robosuite and gymnasium; write what was found
+	@$(RUN) -m tests.foreign --record-foreign=book/_generated/foreign.md
 
 lint: setup ## check style and types
 	@$(RUN) -m ruff check .

@@ -35,9 +35,10 @@ def list_omissions(
     """
     option = mujoco.MjvOption() if scene_option is None else scene_option
     flags, kinds = option.flags, mujoco.mjtVisFlag
-    visible_sites = _is_shown(model.site_group, option.sitegroup) & (model.site_rgba[:, 3] > 0)
-    visible_tendons = _is_shown(model.tendon_group, option.tendongroup)
-    visible_tendons &= (model.tendon_rgba[:, 3] > 0) & (model.tendon_width > 0)
+    # MuJoCo leaves out a site whose alpha is 0, and no other: robosuite hides sites by a negative
+    # alpha, which no color picture shows, but every depth image. A tendon's alpha is never asked.
+    visible_sites = _is_shown(model.site_group, option.sitegroup) & (model.site_rgba[:, 3] != 0)
+    visible_tendons = _is_shown(model.tendon_group, option.tendongroup) & (model.tendon_width > 0)
     finders = model.sensor_type == int(mujoco.mjtSensor.mjSENS_RANGEFINDER)
     counts = {
         "site": visible_sites,
