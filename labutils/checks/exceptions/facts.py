@@ -6,6 +6,7 @@ import ast
 import re
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -60,7 +61,11 @@ def join(words: Iterable[str], last: str = "and") -> str:
 
 def find_close(name: str, names: Iterable[str], count: int = 2) -> list[str]:
     """Return names that are spelled nearly so; other capitals first."""
-    known = sorted(set(names) - {name})
+    return _find_close(name, tuple(sorted(set(names) - {name})), count)
+
+
+@lru_cache(maxsize=32)  # OpenCV has thousands of names, and every case stops for the same one
+def _find_close(name: str, known: tuple[str, ...], count: int) -> list[str]:
     same = [one for one in known if one.lower() == name.lower()]
     return same or get_close_matches(name, known, n=count, cutoff=0.76)
 
