@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from labutils import check, hint, report
+from labutils.checks.exceptions import explain
 from labutils.checks.progress import FILE_NAME
 
 #: What a traceback calls the reader's code.
@@ -93,14 +94,16 @@ def run_cell(code: str) -> tuple[dict[str, Any], str]:
 
 
 def describe(error: BaseException) -> str:
-    """Format an exception with the reader's own lines only."""
+    """Format an exception with the reader's own lines only, and say what it means."""
     frames = [
         frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == FILE
     ]
     lines = traceback.format_exception_only(error)
     if frames:
         lines = ["In your code:\n", *(_describe_frame(frame) for frame in frames), *lines]
-    return "".join(lines).replace(f'File "{FILE}", line', "line").strip("\n")
+    text = "".join(lines).replace(f'File "{FILE}", line', "line").strip("\n")
+    advice = explain(error, FILE)
+    return f"{text}\n{advice}" if advice else text
 
 
 def _describe_frame(frame: traceback.FrameSummary) -> str:

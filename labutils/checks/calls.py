@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from labutils.checks.exceptions import Call, explain
 from labutils.checks.kinds import get_kind
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
 
@@ -63,9 +64,18 @@ def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcom
             warnings.simplefilter("ignore")
             output = function(*args)
     except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a learner's code raises
-        return describe_error(error, function)
+        return describe_error(error, function, _name_call(case, function, args))
     seen = tuple(observe() for observe in observers)
     return split_answer(parts, output, seen)
+
+
+def _name_call(case: Case, function: Function, args: tuple[Any, ...]) -> Call:
+    """Name the arguments of a call as the function itself names them."""
+    try:
+        arguments = inspect.signature(function).bind(*args).arguments
+    except (TypeError, ValueError):  # written in C, or it takes others
+        return Call(raises=case.raises)
+    return Call(arguments, case.raises)
 
 
 def _drawing(case: Case, function: Function) -> AbstractContextManager[None]:
@@ -110,7 +120,7 @@ def split_answer(parts: tuple[Part, ...], output: object, seen: tuple[object, ..
     for part, value in zip(parts, (*values, *seen), strict=True):
         found = None if value is None else _read_part(part, value)
         if isinstance(found, Misfit):
-            return found
+            return found if returned == 1 else Misfit(found.text)  # several things are not nothing
         read.append(found)
     return tuple(read)
 
@@ -155,15 +165,17 @@ def describe(value: object) -> str:
     return f"a {type(value).__name__}"
 
 
-def describe_error(error: BaseException, function: Function) -> Raised:
-    """Keep an exception as words: its kind, its first line, and where the learner's code was."""
+def describe_error(error: BaseException, function: Function, call: Call | None = None) -> Raised:
+    """Keep an exception as words: kind, first line, the learner's line, and what it means."""
     text = (str(error).strip().splitlines() or [""])[0]
     # The renderer of a check draws by rays; whoever wrote for MuJoCo's has not heard of that.
     text = text.replace("RaycastRenderer", "Renderer")
     if len(text) > _TEXT_LIMIT:
         text = text[: _TEXT_LIMIT - 3] + "..."
     kinds = tuple(kind.__name__ for kind in type(error).__mro__)
-    return Raised(type(error).__name__, text, _find_learner_line(error, function), kinds)
+    code = getattr(inspect.unwrap(function), "__code__", None)
+    advice = "" if code is None else explain(error, code.co_filename, call)
+    return Raised(type(error).__name__, text, _find_learner_line(error, function), kinds, advice)
 
 
 def _find_learner_line(error: BaseException, function: Function) -> str:

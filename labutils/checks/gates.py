@@ -47,7 +47,7 @@ class Failure:
 
 def find_failure(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
     """Run the gates over all cases, one gate after the other; stop at the first failure."""
-    if failure := _find_untouched(answers):
+    if failure := _find_untouched(table, answers):
         return failure
     if failure := _find_crash(table, answers):
         return failure
@@ -61,8 +61,8 @@ def find_failure(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | N
     return _check_raises(table, answers)
 
 
-def _find_untouched(answers: tuple[Outcome, ...]) -> Failure | None:
-    """Tell a starter nobody has begun from a wrong answer."""
+def _find_untouched(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
+    """Tell a starter nobody has begun from a wrong answer: who returns (None, None) has begun."""
     begin = "Replace the line with your own code, then check again."
     if all(
         isinstance(answer, Raised) and answer.kind == "NotImplementedError" for answer in answers
@@ -70,8 +70,9 @@ def _find_untouched(answers: tuple[Outcome, ...]) -> Failure | None:
         return Failure(
             "runs", f"The body is still `raise NotImplementedError`. {begin}", 0, untouched=True
         )
+    returns_one = sum(not get_kind(part).is_observed for part in table.parts) == 1
     nothing = [
-        (isinstance(answer, tuple) and answer[0] is None)
+        (returns_one and isinstance(answer, tuple) and answer[0] is None)
         or (isinstance(answer, Misfit) and answer.is_empty)
         for answer in answers
     ]
@@ -91,7 +92,8 @@ def _find_crash(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | No
         what = f"{answer.kind}: {answer.text}" if answer.text else answer.kind
         where = f" in your {answer.line}" if answer.line else ""
         wish = f" Here a {due} is due." if due else ""
-        return Failure("runs", f"It stops with {what}{where}.{wish}", index)
+        advice = f" {answer.advice}" if answer.advice else ""
+        return Failure("runs", f"It stops with {what}{where}.{wish}{advice}", index)
     return None
 
 

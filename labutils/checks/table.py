@@ -37,12 +37,16 @@ class Scene:
 
 @dataclass(frozen=True)
 class Raised:
-    """An answer that is an exception; `line` is the learner's own line, for the message only."""
+    """An answer that is an exception.
+
+    For the message only: `line`, the learner's own, and `advice`, what the exception means there.
+    """
 
     kind: str
     text: str = ""
     line: str = field(default="", compare=False)
     base_kinds: tuple[str, ...] = field(default=(), compare=False)
+    advice: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True)

@@ -96,6 +96,22 @@ def test_a_slip_of_the_pen_names_its_line(run: Run) -> None:
     assert said["result"] == "error"
     assert said["error"].splitlines()[0].strip() == "line 2"
     assert "SyntaxError: expected ':'" in said["error"]
+    assert said["error"].splitlines()[-1].startswith("A line that begins a block")
+
+
+def test_a_cell_that_stops_is_told_what_helps(run: Run) -> None:
+    said = run(f"K = np.eye(3)\n{WRONG}")
+    assert said["error"].splitlines() == [
+        "In your code:",
+        "  line 1: K = np.eye(3)",
+        "NameError: name 'np' is not defined",
+        'It is not imported: put "import numpy as np" at the top of your code.',
+    ]
+
+
+def test_a_check_that_stops_is_told_what_helps(run: Run) -> None:
+    said = run(f"import cv2\ndef {NAME}(mask):\n    return cv2.moment(mask)\n")
+    assert "What exists instead: cv2.moments." in said["html"]
 
 
 def test_an_exception_in_a_check_names_the_line_of_the_reader(run: Run) -> None:

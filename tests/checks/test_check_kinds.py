@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 import pytest
 
@@ -181,6 +182,12 @@ GRID = np.arange(12.0).reshape(4, 3)
             "x: its colors do not follow the depth along one map",
         ),
         (
+            "mapped",
+            np.array([[[255, 0, 0], [0, 0, 255], [0, 0, 0]]], np.uint8),
+            np.array([[[0, 0, 0], [0, 0, 255], [0, 0, 255]]], np.uint8),
+            "2 of 3 pixels of x are off: 1 of them should be black; 1 of them should not be black.",
+        ),
+        (
             "mask",
             np.array([[255, 255, 0]], np.uint8),
             np.array([[0, 0, 255]], np.uint8),
@@ -204,6 +211,16 @@ def test_difference_is_told_in_the_words_of_the_kind(
     assert ("Worst pixel: (u, v) = (" in verdict.paragraphs[1]) is sized
     drawn = sized or kind in ("mask", "rows", "cloud", "pixels")
     assert (verdict.picture is not None) is drawn
+
+
+@pytest.mark.parametrize("kind", ["rgb", "mapped"])
+def test_picture_of_255_levels_differs_by_no_more(kind: str) -> None:
+    ends = np.array([[0, 255]], np.uint8)
+    due = cv2.applyColorMap(ends, cv2.COLORMAP_TURBO) if kind == "mapped" else np.dstack([ends] * 3)
+    part = Part("x", kind, "uint8", atol=1, unit="levels of 255")
+    verdict = judge_answers(make_table(part, due), ((due[:, ::-1],),))
+    assert "to both sides, typically by 255 levels of 255." in verdict.paragraphs[0]
+    assert "typically by 255 levels" in describe_residual((part,), (due,), (due[:, ::-1],))[1]
 
 
 def test_every_kind_is_tried_above() -> None:

@@ -109,6 +109,13 @@ def test_first_property_that_fails_is_told(function: object, gate: str, words: s
     assert len(verdict.message.splitlines()) < 12
 
 
+def test_function_that_returns_two_times_nothing_has_been_begun() -> None:
+    for answer in ((None, None), (..., ...), [None, None]):
+        verdict = check("depth_to_pointcloud", lambda *_, answer=answer: answer)
+        assert verdict.counted
+        assert "Not started yet" not in verdict.message
+
+
 @pytest.mark.parametrize("value", [None, ...])
 def test_empty_function_of_two_results_counts_as_not_started(value: EllipsisType | None) -> None:
     verdict = check("depth_to_pointcloud", lambda *_: value)
@@ -126,7 +133,8 @@ def test_empty_function_of_two_results_counts_as_not_started(value: EllipsisType
             "type",
             "colors has to be None here (None exactly where rgb_image is None)",
         ),
-        ("depth_to_pointcloud", lambda *_: (None, None), "runs", "It returns nothing"),
+        ("depth_to_pointcloud", lambda *_: (None, None), "type", "points must not be None here"),
+        ("depth_to_pointcloud", lambda *_: (..., ...), "type", "Expected numbers, yours is ..."),
         (
             "depth_to_pointcloud",
             lambda _, K, rgb: (K, None if rgb is None else K),

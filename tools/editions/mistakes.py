@@ -14,6 +14,7 @@ import numpy as np
 from labutils.checks.compare import align_rows, is_same_outcome
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import get_kind
+from labutils.checks.kinds.base import get_largest_gap
 from labutils.checks.table import CheckTable, Misfit, Outcome, Part, Raised
 
 if TYPE_CHECKING:
@@ -155,7 +156,9 @@ def _describe_values(part: Part, wrong: np.ndarray, gaps: np.ndarray) -> tuple[f
     if not get_kind(part).has_sizes:
         return float(wrong.mean()), words
     typical = float(np.median(finite))
-    words += f", typically by {_round(typical)}{f' {part.unit}' if part.unit else ''}"
+    # two digits would make 260 of 255
+    shown = np.format_float_positional(min(float(_round(typical)), get_largest_gap(part)), trim="-")
+    words += f", typically by {shown}{f' {part.unit}' if part.unit else ''}"
     if not part.atol:
         return float(wrong.mean()), words
     ratio = float(_round(typical / part.atol))

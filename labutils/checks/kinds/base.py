@@ -167,6 +167,14 @@ def subtract(expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
     return np.where(np.isnan(difference), np.inf, difference)
 
 
-def round_to_digit(value: float) -> str:
-    """Write a number with one digit that counts: 0.04, 3, 200."""
-    return np.format_float_positional(float(f"{value:.1g}"), trim="-")
+def round_to_digit(value: float, largest: float = np.inf) -> str:
+    """Write a number with one digit that counts: 0.04, 3, 200; no more than the largest there is.
+
+    255 levels are 255, not 300: no picture has so many.
+    """
+    return np.format_float_positional(min(float(f"{value:.1g}"), largest), trim="-")
+
+
+def get_largest_gap(part: Part) -> float:
+    """Return how far two values of a part can be apart."""
+    return 255.0 if part.dtype == "uint8" else np.inf

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 import cv2
 import numpy as np
 
-from labutils.checks.kinds.base import Kind, round_to_digit
+from labutils.checks.kinds.base import Kind, get_largest_gap, round_to_digit
 from labutils.checks.kinds.color_levels import BLACK_LEVEL, to_levels
 from labutils.checks.kinds.learned_map import read_with_learned_map
 from labutils.checks.kinds.panels import draw_pictures, paint_values
@@ -43,7 +43,7 @@ class Picture(Kind):
             share = np.count_nonzero(finite > 0) / len(finite)
             side = "too large" if share > 0.9 else "too small" if share < 0.1 else "to both sides"
             unit = f" {part.unit}" if part.unit else ""
-            typical = round_to_digit(np.median(np.abs(finite)))
+            typical = round_to_digit(np.median(np.abs(finite)), get_largest_gap(part))
             texts.append(f"{side}, typically by {typical}{unit}")
         return texts
 
@@ -110,11 +110,18 @@ class MappedPicture(Picture):
         return "black" if value == BLACK_LEVEL else super().name_value(value)
 
     def get_differences(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> np.ndarray:
-        """Return the differences of the levels; infinite for colors of no known map."""
+        """Return the differences of the levels; infinite where there are no two to compare.
+
+        That is for colors of no known map, and where one of the two pictures is black: black is no
+        level.
+        """
         expected, yours = to_levels(expected), to_levels(yours)
         if expected.shape != yours.shape:
             return np.full(yours.shape[:2], np.inf)
-        return super().get_differences(part, expected, yours)
+        differences = super().get_differences(part, expected, yours).astype(np.float64)
+        differences[(expected == BLACK_LEVEL) & (yours != BLACK_LEVEL)] = np.inf
+        differences[(expected != BLACK_LEVEL) & (yours == BLACK_LEVEL)] = -np.inf
+        return differences
 
     def describe(
         self, part: Part, expected: np.ndarray, yours: np.ndarray, wrong: np.ndarray
@@ -126,6 +133,14 @@ class MappedPicture(Picture):
                 "blue (close) to red (far), the same in all cases."
             )
         return super().describe(part, expected, yours, wrong)
+
+    def _describe_differences(self, part: Part, difference: np.ndarray, count: int) -> list[str]:
+        """Tell black pixels apart from wrong levels."""
+        colored, black = (np.count_nonzero(difference == end) for end in (np.inf, -np.inf))
+        texts = [f"{colored} of them should be black"] if colored else []
+        texts += [f"{black} of them should not be black"] if black else []
+        levels = difference[np.isfinite(difference)]
+        return texts + super()._describe_differences(part, levels, count)
 
     def _paint(self, image: np.ndarray, expected: np.ndarray) -> np.ndarray:
         del expected
