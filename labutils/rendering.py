@@ -132,7 +132,8 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> Renderer:
     -----
     A renderer belongs to the model it was made for, and to the thread: make one in every thread
     that draws. Closing a renderer takes the OpenGL context of its thread away, also from other
-    libraries that draw there (dm_control does): let them draw in another thread.
+    libraries that draw there: the next picture of dm_control is wrong, without an error. Keep the
+    renderer open as long as they draw, or let them draw in another thread.
     """
     import mujoco  # noqa: PLC0415 - the backend is chosen first, then MuJoCo reads it
 
