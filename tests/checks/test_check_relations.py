@@ -14,6 +14,8 @@ from labutils.checks.explain import FAMILIES, find_odd_case, find_relation
 from labutils.checks.kinds import KINDS
 from labutils.checks.table import Case, CheckTable, Outcome, Part, load_table, read_words
 
+MOVE = np.array([0.1, 0.2, 0.4])
+
 Change = Callable[[np.ndarray], Any]
 
 
@@ -93,6 +95,15 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         ("cloud", lambda a: a[np.abs(a[:, 0]).argsort()[:-4]], "rows:missing"),
         ("cloud", lambda a: np.concatenate([a, np.full((3, 3), np.nan)]), "rows:too-many:NaN"),
         ("cloud", lambda a: np.concatenate([a, np.zeros((3, 3))]), "rows:too-many:zeros only"),
+        ("rows", lambda a: a @ turn("z", 0.3).T, "rigid:turned-about-z"),
+        (
+            "rows",
+            lambda a: a @ turn("x", 0.3).T + [0.1, 0.2, 0.4],
+            "rigid:turned-about-x-and-moved",
+        ),
+        ("rows", lambda a: a + [0.1, 0.2, 0.4], "rigid:moved"),
+        ("rows", lambda a: a @ turn("z", 0.3).T * [1, 1, -1], "rigid:mirrored"),
+        ("rows", lambda a: a[a[:, 0].argsort()], "reordered"),
         ("depth", np.flipud, "mirrored:up-down"),
         ("depth", lambda a: np.minimum(a, 4), "clipped:above:4"),
         ("depth", lambda a: a / 1000, "scaled:1/1000"),
@@ -122,6 +133,14 @@ def put(array: np.ndarray, place: Any, value: Any) -> np.ndarray:
     changed = array.copy()
     changed[place] = value
     return changed
+
+
+def turn(axis: str, angle: float) -> np.ndarray:
+    """Make the rotation about an axis."""
+    vector = np.zeros(3)
+    vector["xyz".index(axis)] = angle
+    rotation: np.ndarray = cv2.Rodrigues(vector)[0]
+    return rotation
 
 
 @pytest.mark.parametrize("kind", ["number", "matrix", "pixel", "rows", "depth", "list", "mask"])
@@ -185,6 +204,21 @@ def test_where_it_is_wrong_and_what_stands_there_is_told() -> None:
     assert found is not None
     assert found.name == "where:depth_raw is NaN"
     assert found.text.endswith("it is wrong exactly where depth_raw is NaN; there it is 0.")
+
+
+def test_a_region_that_holds_all_that_is_wrong_is_told_as_only() -> None:
+    part, dues = draw("depth")
+    rng = np.random.default_rng(4)
+    holes = [rng.random(due.shape) < 0.3 for due in dues]
+    raw = [(np.where(hole, np.nan, due),) for hole, due in zip(holes, dues, strict=True)]
+    answers = tuple(
+        (np.where(hole & (rng.random(due.shape) < 0.7), due + rng.normal(size=due.shape), due),)
+        for hole, due in zip(holes, dues, strict=True)
+    )
+    found = find_relation(make_table(part, dues, ("depth_metric",), raw), answers)
+    assert found is not None
+    assert found.name == "within:depth_metric is NaN"
+    assert "it is wrong only where depth_metric is NaN; elsewhere it agrees." in found.text
 
 
 def test_a_relation_of_one_part_says_that_the_others_agree() -> None:

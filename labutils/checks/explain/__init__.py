@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from labutils.checks.compare import align_rows
-from labutils.checks.explain import axes, numbers, places, regions, selections
+from labutils.checks.explain import axes, numbers, places, regions, rigid, selections
 from labutils.checks.explain.relation import Pair, Relation, choose
 from labutils.checks.explain.told import Explanation
 from labutils.checks.kinds import get_kind
@@ -37,6 +37,7 @@ FAMILIES: dict[str, Callable[[list[Pair]], Iterator[Relation]]] = {
     "entries": axes.propose_entries,
     "selections": selections.propose,
     "regions": regions.propose,
+    "rigid": rigid.propose,
 }
 
 _SCOPES = {1: "", 2: "In both cases: "}

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from labutils._constants import MAX_DEPTH, MIN_DEPTH
 from labutils.checks.explain import numbers
 from labutils.checks.explain.relation import Pair, Relation, choose, find_close
 from labutils.checks.kinds import get_kind
@@ -19,6 +20,12 @@ _MIN_VALUES = 12
 
 #: Where more than this share is wrong, there is no region to speak of.
 _MAX_SHARE = 0.9
+
+#: A region that wrong places lie in, without being all of it: its largest share of everything, and
+#: how many wrong places there are, at least, in numbers and as a share of it.
+_MAX_REGION = 0.6
+_MIN_WRONG = 5
+_MIN_FILLED = 0.2
 
 
 def propose(pairs: list[Pair]) -> Iterator[Relation]:
@@ -42,21 +49,42 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
         if content in seen:
             continue
         seen.add(content)
-        if not all(np.array_equal(*both) for both in zip(marked, wrongs, strict=True)):
-            continue
-        inside = [
-            replace(pair, due=pair.due[wrong], yours=pair.yours[wrong])
-            for pair, wrong in zip(pairs, wrongs, strict=True)
-            if wrong.any()
-        ]
-        what = _describe_inside(inside)
-        yield Relation(
-            f"where:{name}",
-            f"it is wrong exactly where {name}" + (f"; there it is {what}" if what else ""),
-            2.0,
-            # The place is what is claimed, and was compared above.
-            lambda pair: pair.yours,
-        )
+        if all(np.array_equal(*both) for both in zip(marked, wrongs, strict=True)):
+            yield _tell_exact(name, pairs, wrongs)
+        elif _lie_within(wrongs, marked):
+            yield Relation(
+                f"within:{name}",
+                f"it is wrong only where {name}; elsewhere it agrees",
+                # The smaller the region, the more it says.
+                5.0 + sum(int(mark.sum()) for mark in marked) / sum(sizes),
+                lambda pair: pair.yours,
+            )
+
+
+def _tell_exact(name: str, pairs: list[Pair], wrongs: list[np.ndarray]) -> Relation:
+    inside = [
+        replace(pair, due=pair.due[wrong], yours=pair.yours[wrong])
+        for pair, wrong in zip(pairs, wrongs, strict=True)
+        if wrong.any()
+    ]
+    what = _describe_inside(inside)
+    return Relation(
+        f"where:{name}",
+        f"it is wrong exactly where {name}" + (f"; there it is {what}" if what else ""),
+        2.0,
+        # The place is what is claimed, and was compared before.
+        lambda pair: pair.yours,
+    )
+
+
+def _lie_within(wrongs: list[np.ndarray], marked: list[np.ndarray]) -> bool:
+    """Tell whether all wrong places lie in a region that is small, and fill a good part of it."""
+    if any((wrong & ~mark).any() for wrong, mark in zip(wrongs, marked, strict=True)):
+        return False
+    size = sum(int(mark.sum()) for mark in marked)
+    count = sum(int(wrong.sum()) for wrong in wrongs)
+    total = sum(mark.size for mark in marked)
+    return size < _MAX_REGION * total and count >= max(_MIN_WRONG, _MIN_FILLED * size)
 
 
 def _find_wrong_places(pair: Pair) -> np.ndarray:
@@ -136,6 +164,10 @@ def _list_value_places(
                     f"{word} is NaN, infinite, or 0 or less": ~(np.isfinite(one) & (one > 0)),
                     f"{word} is above 1": np.isfinite(one) & (one > 1),
                     f"{word} is outside 0 to 1": (one < 0) | (one > 1),
+                    f"{word} is {MAX_DEPTH:g} or more": one >= MAX_DEPTH,
+                    f"{word} is no valid depth": ~(
+                        np.isfinite(one) & (one > MIN_DEPTH) & (one < MAX_DEPTH)
+                    ),
                 }
             found[f"{word} is 0"] = one == 0
             for other, limit in limits.items():

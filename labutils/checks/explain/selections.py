@@ -11,6 +11,9 @@ from labutils.checks.explain.relation import Pair, Relation
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+#: Fewer rows than this are in no order to speak of.
+_MIN_ROWS = 4
+
 #: Side of the cells that rows are compared in, in tolerances.
 _CELL_TOLERANCES = 8
 
@@ -29,7 +32,12 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
         if len(lost) or len(extra):
             traits = describe_rows(pair, lost if len(lost) else extra)
             shared = traits if shared is None else shared & traits
-    if (lost_count and extra_count) or (not shared and not lost_count + extra_count):
+    if not lost_count + extra_count:
+        if any(len(pair.due) >= _MIN_ROWS for pair in pairs):
+            text = "the right rows, but in another order"
+            yield Relation("reordered", text, 3.0, lambda pair: pair.yours)
+        return
+    if lost_count and extra_count:
         return
     word = "missing" if lost_count else "too many"
     # Two traits of the same rows cannot be told apart, so neither is told.

@@ -96,7 +96,7 @@ KINDS = (
         name="rows",
         ndim=2,
         shape="(N, 3), one row per point that came in",
-        relations=("numbers", "axes", "entries", "lists", "regions"),
+        relations=("numbers", "axes", "entries", "lists", "selections", "regions", "rigid"),
     ),
     Cloud(
         name="cloud",
@@ -104,7 +104,7 @@ KINDS = (
         shape="(N, 3), one row per point that is kept",
         counts_rows=True,
         moves_with_cloud=True,
-        relations=("numbers", "axes", "entries", "selections"),
+        relations=("numbers", "axes", "entries", "selections", "rigid"),
     ),
     Rows(
         name="attached",
