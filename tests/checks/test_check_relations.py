@@ -98,10 +98,10 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         ("rows", lambda a: a @ turn("z", 0.3).T, "rigid:turned-about-z"),
         (
             "rows",
-            lambda a: a @ turn("x", 0.3).T + [0.1, 0.2, 0.4],
+            lambda a: a @ turn("x", 0.3).T + MOVE,
             "rigid:turned-about-x-and-moved",
         ),
-        ("rows", lambda a: a + [0.1, 0.2, 0.4], "rigid:moved"),
+        ("rows", lambda a: a + MOVE, "rigid:moved"),
         ("rows", lambda a: a @ turn("z", 0.3).T * [1, 1, -1], "rigid:mirrored"),
         ("rows", lambda a: a[a[:, 0].argsort()], "reordered"),
         ("depth", np.flipud, "mirrored:up-down"),
