@@ -14,7 +14,7 @@ EDITION ?= student
 export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs exercises new-chapter \
+.PHONY: help setup book serve lab outputs exercises mutants new-chapter \
 	new-exercise unfilled student test test-slow lint format check bench lock clean
 
 help: ## list the targets
@@ -38,6 +38,10 @@ outputs: setup ## write the five files of the lab into outputs/
 exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
 	@$(RUN) -m tools.derive.exercises
 	@$(RUN) -m tools.derive.objectives
+
+mutants: export OPENBLAS_NUM_THREADS := 1
+mutants: setup ## score the cases: which share of 1700 wrong functions they refuse (an hour)
+	@$(RUN) -m tools.mutants.score
 
 new-chapter: setup ## write the files of a chapter: ID=two-eyes [TITLE="What ...?"] [KIND=extension]
 	@$(RUN) -m tools.scaffold.chapter --id "$(ID)" --title "$(TITLE)" --kind "$(KIND)"
