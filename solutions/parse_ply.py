@@ -72,6 +72,7 @@ def _make_text(rng: np.random.Generator, names: tuple[str, ...], faces: int = 0)
     count = int(rng.integers(6, 12))
     kinds = {name: "uchar" if name in ("red", "green", "blue") else "float" for name in names}
     header = ["ply", "format ascii 1.0", "comment a cloud of the lab", f"element vertex {count}"]
+    header.append("comment in meters")
     header += [f"property {kinds[name]} {name}" for name in names]
     if faces:
         header += [f"element face {faces}", "property list uchar int vertex_indices"]
