@@ -50,6 +50,7 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
 
 def _answer_with(mistakes: frozenset[str], text: str) -> Any:
     header, _, body = text.partition("end_header\n")
+    header = "\n".join(line for line in header.splitlines() if not line.startswith("comment"))
     vertex = header.partition("element vertex ")[2].partition("element ")[0].splitlines()
     names = [line.split()[-1] for line in vertex[1:] if line.startswith("property")]
     has_colors = "red" in names
