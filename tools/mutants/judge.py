@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from labutils.checks.table import CheckTable, Outcome
     from solutions import Exercise
 
-#: Seconds of computing after which a mutant is taken for one that never answers. A right answer
-#: takes a thousandth of that, but for level_cloud.
-_LIMIT = {"level_cloud": 10.0}
-_USUAL_LIMIT = 0.4
+#: Seconds of computing after which a mutant is taken for one that never answers: a hundred times
+#: what a right answer takes, and more.
+_LIMIT = {"level_cloud": 5.0, "render_camera": 1.0, "rank_cameras": 1.0}
+_USUAL_LIMIT = 0.1
 
 #: Most mutants differ soon. Of the others it is asked first whether any draw reaches the fault.
 _FIRST_DRAWS = 200

@@ -14,6 +14,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import cv2
+
 from solutions import load_exercises
 from tools import ROOT
 from tools.mutants.inputs import count_draws
@@ -64,6 +66,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--draws", type=int, help="compare on this many inputs, write nothing")
     parser.add_argument("--seeds", type=int, default=SEEDS, help="fewer than 50: write nothing")
     options = parser.parse_args(arguments)
+    cv2.setNumThreads(1)  # pictures this small are slower with more
     exercises = load_exercises()
     scores = read_scores()
     for name in options.names or exercises:

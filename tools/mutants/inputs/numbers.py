@@ -17,7 +17,7 @@ def _choose_pan(rng: np.random.Generator) -> tuple[Any, ...]:
     u = rng.uniform(-0.2, 1.2) * width
     return (
         float(u),
-        float(rng.uniform(-3, 3)),
+        float(rng.uniform(-1.5, 1.5)),
         float(rng.uniform(0.1, 2.9)),
         int(width),
         int(height),
