@@ -40,7 +40,7 @@ exercises: setup ## derive starters, check tables, pages, rubric, hints and the 
 	@$(RUN) -m tools.derive.objectives
 
 mutants: export OPENBLAS_NUM_THREADS := 1
-mutants: setup ## score the cases: which share of 1700 wrong functions they refuse (an hour)
+mutants: setup ## score the cases: which share of 1600 wrong functions they refuse
 	@$(RUN) -m tools.mutants.score
 
 new-chapter: setup ## write the files of a chapter: ID=two-eyes [TITLE="What ...?"] [KIND=extension]
