@@ -14,8 +14,7 @@ EDITION ?= student
 export EDITION
 
 .DEFAULT_GOAL := help
-.PHONY: help setup book serve lab outputs exercises new-chapter \
-	new-exercise unfilled student test test-slow foreign lint format check bench lock clean
+	new-exercise unfilled student test test-slow foreign mutants lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -38,6 +37,10 @@ outputs: setup ## write the five files of the lab into outputs/
 exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
 	@$(RUN) -m tools.derive.exercises
 	@$(RUN) -m tools.derive.objectives
+
+mutants: export OPENBLAS_NUM_THREADS := 1
+mutants: setup ## score the cases: which share of 1600 wrong functions they refuse
+	@$(RUN) -m tools.mutants.score
 
 new-chapter: setup ## write the files of a chapter: ID=two-eyes [TITLE="What ...?"] [KIND=extension]
 	@$(RUN) -m tools.scaffold.chapter --id "$(ID)" --title "$(TITLE)" --kind "$(KIND)"

@@ -12,7 +12,7 @@ from labutils.checks.table import Scene
 
 #: Hues of the objects of a color scene, in OpenCV units. Red occurs on both sides of zero, and for
 #: every hue h there is one near 120 - h, with which it changes places where red and blue do.
-OBJECT_HUES = (1, 14, 28, 60, 88, 106, 119, 145, 175)
+OBJECT_HUES = (0, 14, 28, 60, 88, 106, 119, 145, 177)
 
 
 def make_depth(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
@@ -28,13 +28,17 @@ def make_depth(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
 
 
 def spoil_depth(rng: np.random.Generator, depth: np.ndarray) -> np.ndarray:
-    """Put in what a sensor or a far plane leaves: NaN, infinity, zero, too near, too far."""
+    """Put in what a sensor or a far plane leaves: NaN, infinity, zero, too near, too far.
+
+    And what is a surface, but only just: 0.015 m and 9.6 m.
+    """
     spoiled = depth.copy()
-    bad = np.array([np.nan, np.inf, 0.0, 0.004, -1.0, 10.0, 12.0, -np.inf], dtype=np.float32)
-    # Each kind occurs at least once; a patch of sky, as a window in the scene leaves it.
-    where = rng.choice(depth.size, size=2 * len(bad), replace=False)
-    spoiled.ravel()[where] = np.tile(bad, 2)
+    bad = [np.nan, np.inf, 0.0, 0.004, 0.01, -1.0, 10.0, 12.0, -np.inf]
+    odd = np.array([*bad, 0.015, 9.6], dtype=np.float32)
+    # A patch of sky, as a window in the scene leaves it; each other kind occurs at least once.
     spoiled[: depth.shape[0] // 5, -depth.shape[1] // 4 :] = 12.0
+    where = rng.choice(depth.size, size=2 * len(odd), replace=False)
+    spoiled.ravel()[where] = np.tile(odd, 2)
     return spoiled
 
 

@@ -75,13 +75,32 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     return Case(label, (np.round(world, 6), T_world_robot, low, high))
 
 
+def _make_limit_case(rng: np.random.Generator, label: str) -> Case:
+    """Make points on the limits, in eighths of a meter without a turn: nothing is rounded."""
+    T_world_robot = np.eye(4)
+    T_world_robot[:3, 3] = rng.integers(1, 12, size=3) / 8
+    low = rng.integers(-4, 3, size=3) / 8
+    high = low + 0.5
+    # One step outside, on the limit, one step inside.
+    places = np.array([-0.125, 0.0, 0.125, 0.375, 0.5, 0.625])
+    points = low + np.stack([rng.permutation(places) for _ in range(6)]).reshape(-1, 1) * [1, 0, 0]
+    points[:, 1:] += rng.choice([0.0, 0.25, 0.5, 0.5, 0.625], size=(len(points), 2))
+    points = rng.permutation(np.unique(points, axis=0))
+    return Case(label, (points + T_world_robot[:3, 3], T_world_robot, low, high))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(109)
-    return _make_case(rng, "a robot in the room"), _make_case(rng, "another robot")
+    return (
+        _make_case(rng, "a robot in the room"),
+        _make_case(rng, "another robot"),
+        _make_limit_case(rng, "points on the limits"),
+    )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"robot {number}") for number in range(4))
+    robots = tuple(_make_case(rng, f"robot {number}") for number in range(4))
+    return (*robots, _make_limit_case(rng, "on the limits"))
 
 
 EXERCISE = Exercise(

@@ -47,6 +47,15 @@ def _make_intrinsics(rng: np.random.Generator, height: int, width: int) -> np.nd
     return np.round(np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]]), 3)
 
 
+def _make_limit_case(rng: np.random.Generator, label: str, odd: float, dtype: Any) -> Case:
+    """Make a tiny picture that is all surface but for one pixel."""
+    # The optical axis is outside: what a part that was cut out of a larger picture has.
+    K = np.array([[0.8, 0, -0.4], [0, 0.9, -0.3], [0, 0, 1]])
+    depth = np.round(rng.uniform(0.7, 2.5, size=(3, 4)), 4).astype(dtype)
+    depth[int(rng.integers(3)), int(rng.integers(4))] = odd
+    return Case(label, (depth, K, make_rgb(rng, 3, 4)))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(71)
     clean = make_depth(rng, 11, 15)
@@ -57,6 +66,8 @@ def _visible() -> tuple[Case, ...]:
             "colors, and pixels without a surface",
             (spoiled, _make_intrinsics(rng, 14, 19), make_rgb(rng, 14, 19)),
         ),
+        _make_limit_case(rng, "a pixel at the lower limit, double precision", 0.01, np.float64),
+        _make_limit_case(rng, "a pixel at the upper limit", 10.0, np.float32),
     )
 
 
@@ -67,6 +78,14 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         depth = spoil_depth(rng, make_depth(rng, height, width))
         rgb = make_rgb(rng, height, width) if number % 2 else None
         cases.append(Case(f"view {number + 1}", (depth, _make_intrinsics(rng, height, width), rgb)))
+    full = make_depth(rng, 9, 13)
+    cases.append(Case("full", (full, _make_intrinsics(rng, 9, 13), make_rgb(rng, 9, 13))))
+    cases += [
+        _make_limit_case(rng, "a pixel at the lower limit", 0.01, np.float32),
+        _make_limit_case(rng, "a pixel at the upper limit", 10.0, np.float64),
+        _make_limit_case(rng, "a pixel too near", 0.004, np.float64),
+        _make_limit_case(rng, "a pixel too far", 12.0, np.float32),
+    ]
     return tuple(cases)
 
 

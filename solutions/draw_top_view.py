@@ -83,10 +83,11 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     scale = int(rng.integers(15, 30))
     height, width = int(rng.integers(14, 22)), int(rng.integers(20, 30))
     high = np.round(rng.uniform([1.5, 0.2], [2.5, 0.8]), 2)
-    low = high - np.array([height, width]) / scale
+    # The last row and column end a little beyond the limits: the size is rounded.
+    low = high - (np.array([height, width]) - 0.3) / scale
     # Away from the borders of pixels, so that no rounding decides; a margin lies outside the map.
     row, column = rng.integers(-3, height + 3, 500), rng.integers(-3, width + 3, 500)
-    shift = rng.uniform(0.2, 0.8, size=(500, 2))
+    shift = rng.uniform(0.2, 0.6, size=(500, 2))
     places = high - (np.stack([row, column], axis=1) + shift) / scale
     points = np.column_stack([places, rng.permutation(500) / 500])
     colors = rng.integers(40, 256, size=(500, 3)) / 255

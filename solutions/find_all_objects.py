@@ -109,9 +109,14 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     hsv = np.empty((height, width, 3), dtype=np.uint8)
     hsv[:] = (30, 40, 150)
     places = rng.permutation([(row, column) for row in range(2) for column in range(3)])
-    hues = (2, 175, 60, 118, 66)
+    hues = (0, 179, 60, 118, 66)  # red on both sides of the seam
     sides = rng.permutation(np.arange(8, 8 + 3 * len(hues), 3))
-    colors = [(hue, int(rng.integers(170, 250)), int(rng.integers(130, 240))) for hue in hues]
+    # The first is so pale that only its saturation's own limit lets it in.
+    tops = (150, 250, 250, 250, 250)
+    colors = [
+        (hue, int(rng.integers(115, top)), int(rng.integers(90, 240)))
+        for hue, top in zip(hues, tops, strict=True)
+    ]
     for color, side, (row, column) in zip(colors, sides, places, strict=False):
         x, y = round((column + 0.5) * width / 3), round((row + 0.5) * height / 2)
         half = (int(side) // 2, int(side) * int(rng.integers(3, 6)) // 10)
@@ -128,7 +133,9 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
         x, y = round((number % 2 + 1) * width / 3), 1 + (number // 2) * (height - 5)
         size = 2 + number % 2
         hsv[y : y + 2, x : x + size] = color
-    return Case(label, (cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB), _RANGES, 12))
+    rgb = cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB)
+    _, areas, _ = find_all_objects(rgb, _RANGES, 12)
+    return Case(label, (rgb, _RANGES, min(areas)))  # the smallest has just enough pixels
 
 
 def _is_clear(case: Case) -> bool:

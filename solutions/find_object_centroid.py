@@ -13,6 +13,7 @@ from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
 
 def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
+    mask = mask.astype(np.uint8)
     contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
     choose = min if "not-the-largest" in mistakes else max
     guarded = "no-empty-case" not in mistakes

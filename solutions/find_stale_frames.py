@@ -62,6 +62,7 @@ def _make_case(rng: np.random.Generator, label: str, noise: int) -> Case:
     pictures = [rng.integers(60, 190, size=(height, width, 3))]
     pans = [float(rng.uniform(-0.3, 0.3))]
     kinds = ["stale-equal", "stale-brighter", "stale-noisy", "still", "still-equal", "small"]
+    kinds += ["creeping", "slow"]
     for kind in (*rng.permutation(kinds), "return", "stale-noisy", "new", "home", "still"):
         last, step = pictures[-1], float(rng.uniform(0.02, 0.1)) * rng.choice([-1, 1])
         grain = rng.integers(-noise, noise + 1, size=last.shape)
@@ -74,18 +75,22 @@ def _make_case(rng: np.random.Generator, label: str, noise: int) -> Case:
         elif kind == "small":  # little of the picture changes, but that clearly
             picture = last.copy()
             picture[-1, -1] += 4 * noise
+        elif kind in ("creeping", "slow"):
+            picture = last
         elif kind in ("return", "home"):  # what the first picture showed
             picture = pictures[0] + (np.abs(grain) if kind == "return" else grain)
         pictures.append(np.clip(picture, 20, 235))
         before = pans[0] if kind == "home" else pans[-1]
-        pans.append(before + (0.0 if kind.startswith(("still", "home")) else step))
+        # Half of the limit is no movement, one and a half times the limit is one.
+        steps = {"still": 0.0, "still-equal": 0.0, "home": 0.0, "creeping": 0.0005, "slow": 0.0015}
+        pans.append(before + steps.get(kind, step))
     return Case(label, (np.array(pictures).astype(np.uint8), np.round(pans, 4), noise))
 
 
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(101)
     return (
-        _make_case(rng, "a log of twelve pictures", 3),
+        _make_case(rng, "a log of fourteen pictures", 3),
         _make_case(rng, "another log, with more noise", 5),
     )
 

@@ -49,6 +49,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     return (
         Case("a camera given by its field of view", (scene(), "head_camera", *size())),
         Case("another camera of the same kind", (scene(), "side_camera", *size())),
+        Case("one column of it", (scene(), "side_camera", 1, int(rng.integers(60, 250)))),
         Case("a camera given by its sensor", (scene(), "sensor_camera", *size())),
         Case("a camera that does not exist", (scene(), "tail_camera", *size()), "ValueError"),
     )

@@ -28,11 +28,12 @@ def _visible() -> tuple[Case, ...]:
         Case("a picture that is wider than high", (0.9, 64, 48)),
         Case("a picture that is higher than wide, odd sizes", (1.3, 33, 57)),
         Case("the size of the lab, a narrow angle", (0.55, 640, 480)),
+        Case("a line camera: one column", (0.7, 1, 40)),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(
+    pictures = tuple(
         Case(
             f"picture {number + 1}",
             (
@@ -43,6 +44,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         )
         for number in range(5)
     )
+    return (*pictures, Case("one column", (0.9, 1, int(rng.integers(30, 180)))))
 
 
 EXERCISE = Exercise(

@@ -98,13 +98,31 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     return Case(label, (np.round((points - camera) @ rotation.T, 6),))
 
 
+def _is_upside_down(points: np.ndarray) -> bool:
+    """Tell whether the decomposition gives the normal of the table that points away."""
+    plane, _ = level_cloud(points)
+    table = points[np.abs(points @ plane[:3] + plane[3]) < _TABLE]
+    center = table.mean(axis=0)
+    return bool(np.linalg.svd(table - center)[2][2] @ center > 0)
+
+
+def _make_cases(rng: np.random.Generator, labels: tuple[str, ...]) -> tuple[Case, ...]:
+    """Make cases of which every second needs its normal turned around, as a fit may give either."""
+    cases: list[Case] = []
+    while len(cases) < len(labels):
+        case = _make_case(rng, labels[len(cases)])
+        if _is_upside_down(*case.args) == bool(len(cases) % 2):
+            cases.append(case)
+    return tuple(cases)
+
+
 def _visible() -> tuple[Case, ...]:
-    rng = np.random.default_rng(110)
-    return _make_case(rng, "a table, things on it, and a floor"), _make_case(rng, "another camera")
+    labels = ("a table, things on it, and a floor", "another camera")
+    return _make_cases(np.random.default_rng(110), labels)
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"table {number}") for number in range(3))
+    return _make_cases(rng, tuple(f"table {number}" for number in range(5)))
 
 
 EXERCISE = Exercise(

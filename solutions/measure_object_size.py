@@ -82,9 +82,37 @@ def _make_case(rng: np.random.Generator, label: str, height: int, width: int) ->
     depth[board] = rng.uniform(0.7, 1.0) + slant[0] * across + slant[1] * down
     mask = np.zeros((height, width), dtype=np.uint8)
     mask[top : top + high + 1, left : left + wide + 1] = 255
+    # Half of the border on the left sees another thing, a little farther than 0.05 m.
+    depth[top : top + high // 2, left] = np.median(depth[board]) + 0.075
     where = rng.choice(high * wide, size=6, replace=False)
     depth[top + where // wide, left + where % wide] = np.tile([0.0, 12.0], 3)
     return Case(label, (mask, np.round(depth, 4).astype(np.float32), K))
+
+
+def _make_limit_case(
+    rng: np.random.Generator, label: str, distance: float, border: tuple[float, ...]
+) -> Case:
+    """Make a small board at a limit of what is valid; `border` are depths beside it, in the mask.
+
+    It lies to the left of the optical axis: whoever counts the border finds another width.
+    """
+    height, width, rows = 12, 16, 2 * len(border)
+    K = np.array([[14.0, 0, 14.2], [0, 17.5, 4.1], [0, 0, 1]])
+    depth = np.full((height, width), 3.0)
+    depth[1 : 1 + rows, 2:8] = distance + rng.uniform(0, 0.004, size=(rows, 6))
+    depth[1 : 1 + rows : 2, 8] = border
+    depth[2 : 2 + rows : 2, 8] = border
+    mask = np.zeros((height, width), dtype=np.uint8)
+    mask[1 : 1 + rows, 2:9] = 255
+    return Case(label, (mask, np.round(depth, 4).astype(np.float32), K))
+
+
+def _make_limit_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    near = float(rng.uniform(0.03, 0.036))
+    return (
+        _make_limit_case(rng, "right before the lens", near, (0.0, 0.004, 0.01, 0.015)),
+        _make_limit_case(rng, "at the end of the range", 9.97, (10.0, 10.01)),
+    )
 
 
 def _visible() -> tuple[Case, ...]:
@@ -92,12 +120,14 @@ def _visible() -> tuple[Case, ...]:
     return (
         _make_case(rng, "a slanted board before a wall", 40, 60),
         _make_case(rng, "a picture that is higher than wide", 66, 46),
+        *_make_limit_cases(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    sizes = rng.integers(36, 70, size=(3, 2))
-    return tuple(_make_case(rng, f"board {n}", int(h), int(w)) for n, (h, w) in enumerate(sizes))
+    sizes = rng.integers([36, 56], [46, 70], size=(3, 2))
+    boards = (_make_case(rng, f"board {n}", int(h), int(w)) for n, (h, w) in enumerate(sizes))
+    return (*boards, *_make_limit_cases(rng))
 
 
 EXERCISE = Exercise(

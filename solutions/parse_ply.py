@@ -50,6 +50,7 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
 
 def _answer_with(mistakes: frozenset[str], text: str) -> Any:
     header, _, body = text.partition("end_header\n")
+    header = "\n".join(line for line in header.splitlines() if not line.startswith("comment"))
     vertex = header.partition("element vertex ")[2].partition("element ")[0].splitlines()
     names = [line.split()[-1] for line in vertex[1:] if line.startswith("property")]
     has_colors = "red" in names
@@ -72,6 +73,7 @@ def _make_text(rng: np.random.Generator, names: tuple[str, ...], faces: int = 0)
     count = int(rng.integers(6, 12))
     kinds = {name: "uchar" if name in ("red", "green", "blue") else "float" for name in names}
     header = ["ply", "format ascii 1.0", "comment a cloud of the lab", f"element vertex {count}"]
+    header.append("comment in meters")
     header += [f"property {kinds[name]} {name}" for name in names]
     if faces:
         header += [f"element face {faces}", "property list uchar int vertex_indices"]

@@ -48,7 +48,7 @@ def _visible() -> tuple[Case, ...]:
             "values of a real buffer, with NaN and values outside 0-1",
             (_make_raw(rng, 18, 26), 0.02, 12.0),
         ),
-        Case("other clip planes", (_make_raw(rng, 11, 15), 0.5, 3.0)),
+        Case("other clip planes", (_make_raw(rng, 11, 15), 0.5, 3.4)),
     )
 
 

@@ -11,7 +11,9 @@ from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
 #: A point may lie this far behind the measured surface and still be on it, in meters.
 _ON_SURFACE = 0.02
-_MIN_DEPTH, _MAX_DEPTH = 0.01, 10.0
+#: Depths at or below, and at or beyond, are no surface, in meters.
+_MIN_DEPTH = 0.01
+_MAX_DEPTH = 10.0
 
 
 def project_visible_points(
@@ -89,6 +91,29 @@ def _answer_with(
     return np.array(pixels), np.array(visible)
 
 
+def _make_edge_pixels(depth: np.ndarray) -> tuple[list[int], list[int], list[float]]:
+    """Choose columns, rows and depths of points at every edge; write what they meet into `depth`.
+
+    Just inside the picture and just outside, close to the camera, and behind depths that are
+    hardly valid, or hardly not.
+    """
+    height, width = depth.shape
+    u: list[int] = []
+    v: list[int] = []
+    z: list[float] = []
+    for column in (-1, 0, width - 1, width):
+        u, v, z = [*u, column], [*v, height // 2], [*z, 0.3]
+    for row in (-1, 0, height - 1, height):
+        u, v, z = [*u, width // 3], [*v, row], [*z, 0.3]
+    for number, near in enumerate((0.005, 0.015)):
+        u, v, z = [*u, width // 2 + number], [*v, height - 3], [*z, near]
+    met = ((0.0, 2.0), (0.01, 2.0), (0.015, 2.0), (9.6, 11.0), (10.0, 11.0), (12.0, 14.0))
+    for number, (surface, behind) in enumerate(met):
+        depth[height - 6, 3 + 3 * number] = surface
+        u, v, z = [*u, 3 + 3 * number], [*v, height - 6], [*z, behind]
+    return u, v, z
+
+
 def _make_case(rng: np.random.Generator, label: str, height: int, width: int) -> Case:
     """Make points on, before and behind the surfaces of a depth image, outside it and behind."""
     depth = make_depth(rng, height, width)
@@ -104,10 +129,12 @@ def _make_case(rng: np.random.Generator, label: str, height: int, width: int) ->
     z[inside] = np.nan_to_num(depth[v[inside], u[inside]], nan=2.0)
     z[z < 0.1] = 2.0
     # On the surface, behind it by little or by much, before it; never near the limit itself.
-    z = z + rng.choice([0.0, 0.008, 0.05, 0.4, -0.3], size=count)
-    pixels = np.stack([u, v], axis=1) + rng.uniform(-0.3, 0.3, size=(count, 2))
+    z = z + rng.choice([0.0, 0.008, 0.03, 0.4, -0.3], size=count)
+    z[::9] *= -1  # behind the camera, although they would project into the picture
+    more_u, more_v, more_z = _make_edge_pixels(depth)
+    u, v, z = np.append(u, more_u), np.append(v, more_v), np.append(z, more_z)
+    pixels = np.stack([u, v], axis=1) + rng.uniform(-0.3, 0.3, size=(len(z), 2))
     points = np.hstack([(pixels - K[:2, 2]) / K[[0, 1], [0, 1]] * z[:, None], z[:, None]])
-    points[::9] *= -1  # behind the camera, although they would project into the picture
     T_world_cam = np.eye(4)
     # A small turn: with the wrong pose, too, some points stay in the picture.
     T_world_cam[:3, :3] = make_rotation(rng, 0.1, 0.2)

@@ -11,6 +11,8 @@ import labutils
 from solutions._cases import make_color_scene
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
+Color = tuple[int, int, int]
+
 
 def _answer_with(mistakes: frozenset[str], rgb_image: np.ndarray, target_hsv_range: Any) -> Any:
     code = cv2.COLOR_BGR2HSV if "bgr" in mistakes else cv2.COLOR_RGB2HSV
@@ -42,7 +44,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     """Ask for colors of the picture whose limits are met exactly by some of its pixels."""
     cases = []
     for label, low, high in (
-        ("red, which wraps around hue 0", 175, 3),
+        ("red, which wraps around hue 0", 177, 2),
         ("green", 60, 90),
         ("yellow and orange", 14, 30),
         ("blue", 106, 121),
@@ -50,7 +52,45 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
         height, width = map(int, rng.integers((48, 60), (58, 76)))
         limits = ((low, int(rng.integers(90, 120)), int(rng.integers(60, 110))), (high, 255, 255))
         cases.append(Case(label, (make_color_scene(rng, height, width), limits)))
-    return tuple(cases)
+    return (*cases, *(_make_patches(rng, *one) for one in _PATCHES))
+
+
+#: What it shows, limits, and the colors of patches, each as far from every limit as it can be.
+_PATCHES: tuple[tuple[str, tuple[Color, Color], tuple[Color, ...]], ...] = (
+    (
+        "pale and bright red: too strong, too pale, too dark or too bright is none",
+        ((170, 40, 160), (8, 120, 235)),
+        (
+            (176, 80, 200),
+            (0, 80, 200),
+            *((hue, *rest) for hue in (176, 0) for rest in ((180, 200), (15, 200))),
+            *((hue, *rest) for hue in (176, 0) for rest in ((80, 100), (80, 252))),
+            (40, 80, 200),
+        ),
+    ),
+    (
+        "strong and dark blue, any value from 0 on",
+        ((100, 180, 0), (130, 255, 140)),
+        ((115, 220, 90), (115, 120, 90), (115, 220, 190), (85, 220, 90), (150, 220, 90)),
+    ),
+    (
+        "one exact color",
+        ((60, 255, 255), (60, 255, 255)),
+        ((60, 255, 255), (120, 255, 255), (0, 255, 255), (30, 255, 255), (60, 200, 255)),
+    ),
+)
+
+
+def _make_patches(
+    rng: np.random.Generator, label: str, limits: tuple[Color, Color], colors: tuple[Color, ...]
+) -> Case:
+    """Make one square per color, in any order, on gray."""
+    rows = np.full((10 * ((len(colors) + 3) // 4), 40, 3), (0, 0, 128), dtype=np.uint8)
+    for number, color in enumerate(rng.permutation(np.array(colors))):
+        top, left = number // 4 * 10, number % 4 * 10
+        side = int(rng.integers(6, 9))
+        rows[top + 1 : top + side, left + 1 : left + 9] = color
+    return Case(label, (cv2.cvtColor(rows, cv2.COLOR_HSV2RGB), limits))
 
 
 _NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"

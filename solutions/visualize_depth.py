@@ -41,12 +41,12 @@ def _visible() -> tuple[Case, ...]:
     return (
         Case("an even ramp that goes on beyond max_depth", (ramp, 5.0)),
         Case("a room with pixels that see nothing", (depth, 5.0)),
-        Case("the same room, max_depth smaller", (depth, 3.0)),
+        Case("the same room, max_depth smaller", (depth, 0.9)),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(
+    rooms = tuple(
         Case(
             f"room {number + 1}",
             (
@@ -56,6 +56,8 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         )
         for number in range(4)
     )
+    near = spoil_depth(rng, make_depth(rng, 20, 30))
+    return (*rooms, Case("what is near", (near, round(float(rng.uniform(0.7, 0.95)), 2))))
 
 
 _ONE_BLUE = "every pixel is the first or second blue of the map, so the scale does not show"

@@ -8,6 +8,7 @@
 | ``scaffold`` | writes the files of a new chapter or exercise, names what is unfilled |
 | ``editions`` | the instructor's pages, the learner's zip |
 | ``bench`` | measures speed against named peers |
+| ``mutants`` | makes wrong functions from the references, scores the cases by them |
 | ``environments`` | makes environments of their own: peers, other versions |
 | ``draw`` | figures, cover, textures, screenshots |
 """
