@@ -14,7 +14,8 @@ EDITION ?= student
 export EDITION
 
 .DEFAULT_GOAL := help
-	new-exercise unfilled student test test-slow foreign mutants lint format check bench lock clean
+.PHONY: help setup book serve lab outputs exercises mutants new-chapter \
+	new-exercise unfilled student test test-slow foreign lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 import labutils
@@ -38,13 +40,24 @@ def _visible() -> tuple[Case, ...]:
         _make_case(rng, "five points, cam_xmat as 3x3 matrix", 5, flat=False),
         _make_case(rng, "forty points, cam_xmat as the nine numbers MuJoCo gives", 40, flat=True),
         _make_case(rng, "no point at all", 0, flat=True),
+        _make_whole(rng),
     )
 
 
+def _make_whole(rng: np.random.Generator) -> Case:
+    case = _make_case(rng, "points in whole meters", 13, flat=False)
+    points, *pose = case.args
+    return replace(case, args=(np.round(4 * points).astype(np.int64), *pose))
+
+
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(
-        _make_case(rng, f"pose {number + 1}", int(rng.integers(3, 60)), flat=bool(number % 2))
-        for number in range(5)
+    return (
+        *(
+            _make_case(rng, f"pose {number + 1}", int(rng.integers(3, 60)), flat=bool(number % 2))
+            for number in range(5)
+        ),
+        _make_case(rng, "no point at all", 0, flat=False),
+        _make_whole(rng),
     )
 
 

@@ -13,8 +13,8 @@ REASONS: dict[str, str] = {
         "differs only where no pixel at all sees a surface; a cloud without points may be an empty "
         "list, whose shape is another one, so no case asks for it"
     ),
-    "labutils/_back_projection.py:_is_full:body.1.value.args.0.values.0:compare-Lt": _FEW,
-    "labutils/_back_projection.py:_is_full:body.1.value.args.0.values.1:compare-Gt": _FEW,
+    "labutils/_back_projection.py:_is_full:body.2.value.args.0.values.0:compare-Lt": _FEW,
+    "labutils/_back_projection.py:_is_full:body.2.value.args.0.values.1:compare-Gt": _FEW,
     "labutils/_guards.py:check_pose:body.7.test.values.1.comparators.0:plus-1": (
         "refuses rotations whose determinant is rounded to less than 1: a matter of chance, so the "
         "poses of a few seeds are none of them"
