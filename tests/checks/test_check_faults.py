@@ -79,7 +79,7 @@ def test_checks_need_neither_mujoco_nor_matplotlib() -> None:
     code = (
         "import sys; sys.modules['mujoco'] = None; import labutils.checks as c;"
         "print([m for m in ('matplotlib', 'open3d', 'ipywidgets') if m in sys.modules]);"
-        "print(c.check('camera_to_world', lambda p, t, R: p).property);"
+        "print(c.check('camera_to_world', lambda p, t, R: p * 1.0).property);"
         "v = c.check('render_camera', lambda m, d, r, n: None); print(v.result); print(v)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

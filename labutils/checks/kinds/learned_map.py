@@ -17,8 +17,9 @@ from labutils.checks.kinds.color_levels import BLACK_LEVEL, to_levels
 _COLOR_ROUNDING = 4.0
 _WINDOW = 2
 
-#: No part of a map is steeper than this many times what is typical of it.
-_STEEPEST = 3.0
+#: How steep a part of a map may be taken for, in multiples of what is typical of it: levels that
+#: were not drawn hide steps.
+_LEAST_STEEP, _STEEPEST = 2.0, 3.0
 
 #: Levels at either end of the range, and how much blue or red has to stand out there.
 _END_LEVELS = 8
@@ -97,7 +98,8 @@ def _belong_to(
     padded = np.pad(slopes, (_WINDOW, _WINDOW + 1), mode="edge")
     steep = np.lib.stride_tricks.sliding_window_view(padded, 2 * _WINDOW + 1).max(axis=1)
     typical = steps.sum() / (present[-1] - present[0])
-    slack = _COLOR_ROUNDING + np.minimum(steep[: len(table)], _STEEPEST * typical)
+    limits = _LEAST_STEEP * typical, _STEEPEST * typical
+    slack = _COLOR_ROUNDING + np.clip(steep[: len(table)], *limits)
     return bool((np.abs(colors - table[places]).max(axis=1) <= slack[places]).all())
 
 
