@@ -85,7 +85,12 @@ def hsv_to_rgb(hsv: np.ndarray) -> np.ndarray:
     hue, saturation, value = np.moveaxis(hsv.astype(np.int64), -1, 0)
     sector, part = np.divmod(hue, 30)
     full = 255 * 30
-    shares = (full, full - 30 * saturation, full - part * saturation, full - (30 - part) * saturation)
+    shares = (
+        full,
+        full - 30 * saturation,
+        full - part * saturation,
+        full - (30 - part) * saturation,
+    )
     most, least, falling, rising = ((value * share + full // 2) // full for share in shares)
     red = np.choose(sector, [most, falling, least, least, rising, most])
     green = np.choose(sector, [rising, most, most, falling, least, least])

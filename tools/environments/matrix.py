@@ -107,7 +107,7 @@ def run_tests(row: str, python: Path) -> Outcome:
     report = MADE / f"{PREFIX}{row}.xml"
     report.unlink(missing_ok=True)
     options = ("-q", "-m", "not slow", "-n", "auto", "--dist", "worksteal")
-    command = [python, "-m", "pytest", *TESTS, *options, f"--junitxml={report}"]
+    command = [str(python), "-m", "pytest", *TESTS, *options, f"--junitxml={report}"]
     # The library lies beside the tests; an environment holds only what it stands on.
     variables = {**os.environ, "PYTHONPATH": str(ROOT)}
     try:
@@ -197,14 +197,14 @@ def main(arguments: list[str]) -> int:
             print(f"matrix: {row}: {counts}, {len(outcome.failed)} failed", flush=True)
     except MatrixError as error:
         print(f"matrix: {error}", file=sys.stderr)
-        print(f"matrix: {TABLE.relative_to(ROOT)} stays as it was", file=sys.stderr)
+        print(f"matrix: {TABLE.name} stays as it was", file=sys.stderr)
         return 1
     failed = [f"{row}: {one}" for row, outcome in outcomes.items() for one in outcome.failed]
     for line in failed:
         print(f"matrix: failed: {line}", file=sys.stderr)
     if not arguments:
         TABLE.write_text(make_table(outcomes), encoding="utf-8")
-        print(f"matrix: wrote {TABLE.relative_to(ROOT)}")
+        print(f"matrix: wrote {TABLE.name}")
     return 1 if failed else 0
 
 
