@@ -111,9 +111,15 @@ def test_a_report_of_pytest_is_counted(tmp_path: Path) -> None:
 
 
 def test_the_table_says_what_was_skipped_and_what_failed_and_no_date() -> None:
-    text = matrix.make_table({"oldest": MIXED, "numpy1": GREEN})
+    text = matrix.make_table({"oldest": MIXED, "numpy1": GREEN, "python3.12": MIXED})
     assert text.startswith(f"{matrix.MADE_BY}\n\n| environment | Python | NumPy |")
-    assert "\n\n- `oldest`, failed: `tests.a::test_b`\n- `oldest`, 2 skipped: no Open3D\n" in text
+    notes = [
+        "- failed in `oldest`: `tests.a::test_b`",
+        "- failed in `python3.12`: `tests.a::test_b`",
+        "- 2 skipped in `oldest`, `python3.12`: no Open3D",
+        "- 1 skipped in `oldest`, `python3.12`: no network",
+    ]
+    assert "\n\n{}\n\n".format("\n".join(notes)) in text
     shown = matrix.read_table(text)
     assert shown["oldest"] == (*matrix.describe_row("oldest"), "5", "3", "1")
     assert shown["numpy1"] == (*matrix.describe_row("numpy1"), "7", "0", "0")
