@@ -114,10 +114,9 @@ def test_the_table_says_what_was_skipped_and_what_failed_and_no_date() -> None:
     text = matrix.make_table({"oldest": MIXED, "numpy1": GREEN, "python3.12": MIXED})
     assert text.startswith(f"{matrix.MADE_BY}\n\n| environment | Python | NumPy |")
     notes = [
-        "- failed in `oldest`: `tests.a::test_b`",
-        "- failed in `python3.12`: `tests.a::test_b`",
-        "- 2 skipped in `oldest`, `python3.12`: no Open3D",
-        "- 1 skipped in `oldest`, `python3.12`: no network",
+        "- `oldest`, `python3.12`, failed: `tests.a::test_b`",
+        "- `oldest`, `python3.12`, 2 skipped: no Open3D",
+        "- `oldest`, `python3.12`, 1 skipped: no network",
     ]
     assert "\n\n{}\n\n".format("\n".join(notes)) in text
     shown = matrix.read_table(text)

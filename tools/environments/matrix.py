@@ -132,20 +132,17 @@ def make_table(outcomes: dict[str, Outcome]) -> str:
     """Write the page's part: versions and counts by environment, reasons, the book's own lock."""
     head = ("environment", "Python", *PACKAGES, "passed", "skipped", "failed")
     rows = [head, ("---",) * len(head)]
-    left_out: dict[tuple[str, int], list[str]] = {}
+    notes: dict[str, list[str]] = {}  # what happened to where
     for row, outcome in outcomes.items():
         counts = (outcome.passed, outcome.skipped.total(), len(outcome.failed))
         rows.append((f"`{row}`", *describe_row(row), *map(str, counts)))
-        for reason, number in outcome.skipped.items():
-            left_out.setdefault((reason, number), []).append(f"`{row}`")
-    notes = [f"- failed in `{row}`: `{one}`" for row, it in outcomes.items() for one in it.failed]
-    notes += [
-        f"- {number} skipped in {', '.join(where)}: {reason}"
-        for (reason, number), where in sorted(left_out.items())
-    ]
+        told = [f"failed: `{one}`" for one in outcome.failed]
+        told += [f"{number} skipped: {why}" for why, number in sorted(outcome.skipped.items())]
+        for one in told:
+            notes.setdefault(one, []).append(f"`{row}`")
     versions = [f"{column} {version}" for column, version in read_versions(LOCK).items()]
     lines = [MADE_BY, "", *(f"| {' | '.join(cells)} |" for cells in rows), ""]
-    lines += [*notes, ""] if notes else []
+    lines += [*(f"- {', '.join(where)}, {one}" for one, where in notes.items()), ""]
     lines += [
         "Tests: " + ", ".join(f"`{one}`" for one in TESTS) + ", without the slow ones.",
         f"The book itself is built and tested with {', '.join(versions)}.",
