@@ -15,7 +15,7 @@ export EDITION
 
 .DEFAULT_GOAL := help
 .PHONY: help setup book serve lab outputs exercises mutants new-chapter \
-	new-exercise unfilled student test test-slow foreign lint format check bench lock clean
+	new-exercise unfilled student test test-slow foreign matrix lint format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -65,6 +65,9 @@ test-slow: book ## run what is slow by nature: all seeds, scratch copies, other 
 
 foreign: setup ## look at robots of dm_control, robosuite and gymnasium; write what was found
 	@$(RUN) -m tests.foreign --record-foreign=book/_generated/foreign.md
+
+matrix: setup ## run the library's tests with the oldest and newest versions it supports
+	@$(RUN) -m tools.environments.matrix
 
 lint: setup ## check style and types
 	@$(RUN) -m ruff check .

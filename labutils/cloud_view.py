@@ -17,6 +17,7 @@ import numpy as np
 
 from labutils._picture import Picture
 from labutils._splat import get_depth_colors, get_view_point
+from labutils._versions import is_older
 from labutils.figures import plot_cloud
 
 if TYPE_CHECKING:
@@ -33,6 +34,8 @@ def show_cloud(points: np.ndarray, colors: np.ndarray | None) -> Picture | None:
     if _has_screen():
         _show_window(points, colors)
         return None
+    if _ends_without_screen():
+        return plot_cloud(points, colors)
     try:
         return _draw_off_screen(points, colors)
     except RuntimeError:
@@ -140,6 +143,18 @@ def _make_off_screen_renderer() -> Any:
     # Filmic tone mapping would change the colors of the points.
     renderer.scene.view.set_post_processing(False)
     return renderer
+
+
+def _ends_without_screen() -> bool:
+    """Tell whether this Open3D ends the process where EGL has no screen to draw on.
+
+    Open3D 0.20 draws with Vulkan. Those before it need ``EGL_PLATFORM=surfaceless``, and nobody can
+    catch a segmentation fault.
+    """
+    import open3d as o3d  # noqa: PLC0415 - see make_open3d_cloud
+
+    on_screen = os.environ.get("EGL_PLATFORM") != "surfaceless"
+    return is_older(o3d.__version__, (0, 20)) and on_screen
 
 
 @contextlib.contextmanager

@@ -9,6 +9,10 @@ from pathlib import Path
 
 import mujoco
 
+from labutils._versions import check_mujoco_version
+
+check_mujoco_version(mujoco.__version__)
+
 #: The scene of the book, beside the package in the repository.
 SCENE_PATH = Path(__file__).resolve().parents[1] / "assets" / "humanoid-camera.xml"
 

@@ -73,14 +73,36 @@ def make_color_scene(rng: np.random.Generator, height: int, width: int) -> np.nd
         ):
             size = int(rng.integers(2, 5))
             hsv[max(top, 0) : max(top + size, 0), max(left, 0) : max(left + size, 0)] = color
-    return cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB)
+    return hsv_to_rgb(hsv)
+
+
+def hsv_to_rgb(hsv: np.ndarray) -> np.ndarray:
+    """Convert an HSV picture in OpenCV units, in whole numbers: every machine gets the same bytes.
+
+    OpenCV converts most of a row with vectors and its end without, which rounds otherwise, and how
+    wide its vectors are depends on its version and on the processor.
+    """
+    hue, saturation, value = np.moveaxis(hsv.astype(np.int64), -1, 0)
+    sector, part = np.divmod(hue, 30)
+    full = 255 * 30
+    shares = (
+        full,
+        full - 30 * saturation,
+        full - part * saturation,
+        full - (30 - part) * saturation,
+    )
+    most, least, falling, rising = ((value * share + full // 2) // full for share in shares)
+    red = np.choose(sector, [most, falling, least, least, rising, most])
+    green = np.choose(sector, [rising, most, most, falling, least, least])
+    blue = np.choose(sector, [least, least, rising, most, most, falling])
+    return np.stack([red, green, blue], axis=-1).astype(np.uint8)
 
 
 def _pick_color(rng: np.random.Generator, hue: int) -> tuple[int, int, int]:
     """Pick a saturation and value whose hue survives the way to RGB and back."""
     while True:
         color = (hue, int(rng.integers(150, 250)), int(rng.integers(130, 240)))
-        pixel = cv2.cvtColor(np.array([[color]], dtype=np.uint8), cv2.COLOR_HSV2RGB)
+        pixel = hsv_to_rgb(np.array([[color]], dtype=np.uint8))
         if cv2.cvtColor(pixel, cv2.COLOR_RGB2HSV)[0, 0, 0] == hue:
             return color
 

@@ -257,9 +257,13 @@ class Exercise:
 
 
 def round_outcome(outcome: Outcome) -> Outcome:
-    """Round to a millionth, so that frozen bytes do not depend on a processor's last digit."""
+    """Leave out what differs between machines: frozen bytes have to be the same on all.
+
+    Numbers are rounded to a millionth, for the last digit depends on the processor. Of errors the
+    words go that no comparison reads: they differ between versions of Python.
+    """
     if isinstance(outcome, Raised):
-        return Raised(outcome.kind, outcome.text)
+        return Raised(outcome.kind, outcome.text if outcome.kind == "TypeError" else "")
     if isinstance(outcome, Misfit):
         return outcome
     return tuple(

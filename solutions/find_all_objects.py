@@ -7,6 +7,7 @@ from typing import Any
 import cv2
 import numpy as np
 
+from solutions._cases import hsv_to_rgb
 from solutions._model import Case, Exercise, Misconception, Part
 
 Range = tuple[str, tuple[int, int, int], tuple[int, int, int]]
@@ -133,7 +134,7 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
         x, y = round((number % 2 + 1) * width / 3), 1 + (number // 2) * (height - 5)
         size = 2 + number % 2
         hsv[y : y + 2, x : x + size] = color
-    rgb = cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB)
+    rgb = hsv_to_rgb(hsv)
     _, areas, _ = find_all_objects(rgb, _RANGES, 12)
     return Case(label, (rgb, _RANGES, min(areas)))  # the smallest has just enough pixels
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 import labutils
-from solutions._cases import make_color_scene
+from solutions._cases import hsv_to_rgb, make_color_scene
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part
 
 Color = tuple[int, int, int]
@@ -90,7 +90,7 @@ def _make_patches(
         top, left = number // 4 * 10, number % 4 * 10
         side = int(rng.integers(6, 9))
         rows[top + 1 : top + side, left + 1 : left + 9] = color
-    return Case(label, (cv2.cvtColor(rows, cv2.COLOR_HSV2RGB), limits))
+    return Case(label, (hsv_to_rgb(rows), limits))
 
 
 _NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"

@@ -9,7 +9,7 @@
 | ``editions`` | the instructor's pages, the learner's zip |
 | ``bench`` | measures speed against named peers |
 | ``mutants`` | makes wrong functions from the references, scores the cases by them |
-| ``environments`` | makes environments of their own: peers, other versions |
+| ``environments`` | makes environments of their own: peers, other versions; tests in them |
 | ``draw`` | figures, cover, textures, screenshots |
 """
 

@@ -221,7 +221,8 @@ def explore_cloud(
     K = np.array(K, np.float64)
     pose = None if T_world_cam is None else check_transform(T_world_cam)
     limits = find_limits(points, K, depth.shape[0], pose)
-    turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8), cv2.COLORMAP_TURBO)
+    # one row: of a flat array OpenCV 4 makes a column, and OpenCV 5 a row
+    turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[None], cv2.COLORMAP_TURBO)
     view = CloudView(
         label="Point cloud explorer",
         help=(

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from content.chapters import get_chapter
+from labutils.checks.table import Raised, load_table
 from solutions import load_exercises
 from tools.derive import exercises
 
@@ -91,6 +92,14 @@ def test_archives_hold_no_times_and_no_compression(files: dict[Path, bytes]) -> 
             for member in archive.infolist():
                 assert member.date_time == (1980, 1, 1, 0, 0, 0)
                 assert member.compress_type == zipfile.ZIP_STORED
+
+
+def test_no_words_of_an_error_are_frozen_that_differ_between_versions_of_python() -> None:
+    wrong = [load_table(name).wrong for name in load_exercises()]
+    answers = [answer for one in wrong for outcomes in one.values() for answer in outcomes]
+    raised = [answer for answer in answers if isinstance(answer, Raised)]
+    assert "ValueError" in {one.kind for one in raised}
+    assert {one.text for one in raised if one.kind != "TypeError"} == {""}
 
 
 def test_tables_stay_small(files: dict[Path, bytes], tool: ModuleType) -> None:

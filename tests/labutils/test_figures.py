@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from types import SimpleNamespace
 from typing import Any, NoReturn
 
 import cv2
@@ -207,6 +209,24 @@ def test_visualize_pointcloud_without_a_vulkan_driver_draws_by_itself(
 
     monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
     monkeypatch.setattr("labutils.cloud_view._draw_off_screen", fail)
+    picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
+    assert isinstance(picture, Picture)
+    assert "point cloud of 500 points" in picture.summary
+
+
+@pytest.mark.parametrize("version", ["0.18.0", "0.19.0+1e7b174"])
+def test_visualize_pointcloud_with_an_open3d_that_needs_a_screen_draws_by_itself(
+    monkeypatch: pytest.MonkeyPatch, version: str
+) -> None:
+    def end(*_: object) -> NoReturn:
+        pytest.fail("in these versions this ends the process")
+
+    open3d = SimpleNamespace(__version__=version)
+    monkeypatch.setitem(sys.modules, "open3d", open3d)
+    monkeypatch.delenv("EGL_PLATFORM", raising=False)
+    monkeypatch.setattr("labutils.cloud_view.find_open3d_problem", lambda: None)
+    monkeypatch.setattr("labutils.cloud_view._has_screen", lambda: False)
+    monkeypatch.setattr("labutils.cloud_view._draw_off_screen", end)
     picture = visualize_pointcloud(np.random.default_rng(0).uniform(1, 2, (500, 3)))
     assert isinstance(picture, Picture)
     assert "point cloud of 500 points" in picture.summary
