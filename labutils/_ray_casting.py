@@ -8,10 +8,13 @@ import mujoco
 import numpy as np
 
 from labutils._guards import check_image_size
+from labutils._versions import check_mujoco_version
 from labutils.cameras import get_camera_intrinsics, get_camera_pose
 
 if TYPE_CHECKING:
     from labutils.cameras import Camera
+
+check_mujoco_version(mujoco.__version__)  # before a ray passes through what it should hit
 
 
 def get_pixel_rays(
