@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 
 from labutils.checks import judge
@@ -33,7 +34,14 @@ def read_catalog() -> list[Row]:
     return rows
 
 
-CATALOG = read_catalog()
+#: NumPy 1 stores 300 in a byte as 44, without an error, and tells a signature in full.
+OF_NUMPY_2 = ("mask[0, 0] = 300", "return np.full((2, 3))")
+
+CATALOG = [
+    row
+    for row in read_catalog()
+    if not (np.__version__.startswith("1.") and row.code.strip() in OF_NUMPY_2)
+]
 CHECKED = [row for row in CATALOG if row.exercise != "cell"]
 CELLS = [row for row in CATALOG if row.exercise == "cell"]
 
