@@ -36,8 +36,7 @@ RUNS_IN_WORKER = ("worker.js", "page_runner.py")
 LIBRARY = (
     "labutils/*.py",
     "labutils/checks/*.py",
-    "labutils/checks/exceptions/*.py",
-    "labutils/checks/kinds/*.py",
+    "labutils/checks/*/*.py",
     "labutils/checks/tables/exercises.json",
     "labutils/renderers/*.py",
 )
