@@ -14,7 +14,9 @@ from labutils.cameras import get_camera_intrinsics, get_camera_pose
 if TYPE_CHECKING:
     from labutils.cameras import Camera
 
-check_mujoco_version(mujoco.__version__)  # before a ray passes through what it should hit
+check_mujoco_version(
+    getattr(mujoco, "__version__", "")
+)  # before a ray passes through what it should hit
 
 
 def get_pixel_rays(

@@ -12,7 +12,7 @@ from labutils._versions import check_mujoco_version
 if TYPE_CHECKING:
     from labutils.renderers.protocol import Renderer
 
-check_mujoco_version(mujoco.__version__)  # before anything is drawn
+check_mujoco_version(getattr(mujoco, "__version__", ""))  # before anything is drawn
 
 #: Arrays of a state whose lengths are counts of its model.
 _COUNTED = {"qpos": "nq", "qvel": "nv", "xpos": "nbody", "geom_xpos": "ngeom", "cam_xpos": "ncam"}

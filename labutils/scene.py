@@ -11,7 +11,7 @@ import mujoco
 
 from labutils._versions import check_mujoco_version
 
-check_mujoco_version(mujoco.__version__)
+check_mujoco_version(getattr(mujoco, "__version__", ""))
 
 #: The scene of the book, beside the package in the repository.
 SCENE_PATH = Path(__file__).resolve().parents[1] / "assets" / "humanoid-camera.xml"
