@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -92,7 +93,7 @@ def cast_rays(
     distances = np.full(count, -1.0)
     normals = np.zeros(count * 3)
     mujoco.mj_multiRay(
-        model,
+        _look_at_every_geom(model),
         data,
         np.asarray(origin, dtype=np.float64),
         (rays / lengths[..., None]).ravel(),
@@ -108,3 +109,15 @@ def cast_rays(
     depth = np.where(geom_ids >= 0, distances / lengths.ravel(), np.nan)
     shape = lengths.shape
     return depth.reshape(shape), geom_ids.reshape(shape), normals.reshape(*shape, 3)
+
+
+def _look_at_every_geom(model: mujoco.MjModel) -> mujoco.MjModel:
+    """Return a copy of which ``mj_multiRay`` skips no geom.
+
+    It skips a body whose bounding sphere a ray misses, and that sphere holds only geoms that
+    collide: what is there to be seen alone, as a robot's visual meshes, it may pass through. A body
+    without a tree of bounds is never skipped. ``mj_ray`` skips nothing either, one ray at a time.
+    """
+    shown = copy.copy(model)
+    shown.body_bvhadr[:] = -1
+    return shown
