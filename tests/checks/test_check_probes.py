@@ -134,3 +134,12 @@ def test_a_probe_of_the_reference_finds_nothing(name: str) -> None:
     table = load_table(name)
     assert probes._find_state(table, table.expected, exercise.reference, 1e12) is None
     assert probes._find_no_effect(table, table.expected, exercise.reference, 1e12) is None
+
+
+def test_a_repair_that_cannot_be_made_is_none() -> None:
+    """The inverse of a rotation is its transpose, so it is not tried a second time."""
+
+    def camera_to_world(points: Array, cam_xpos: Array, cam_xmat: Array) -> Array:
+        return np.sin(points @ cam_xmat.reshape(3, 3)) + cam_xpos
+
+    assert look("camera_to_world", camera_to_world)[0] is None

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from labutils.checks.calls import call_once
+from labutils.checks.calls import call_once, collect_answers
 from labutils.checks.compare import is_same_outcome
 from labutils.checks.explain.arguments import (
     find_places,
@@ -73,11 +73,16 @@ def _find_state(
     function: Callable[..., object],
     deadline: float,
 ) -> Explanation | None:
-    for case, answer in zip(table.cases, answers, strict=True):
-        if not isinstance(answer, tuple) or time.monotonic() > deadline:
-            continue
-        again = [call_once(table.parts, case, function) for _ in range(2)]
-        if not all(is_same_outcome(table.parts, answer, one) for one in again):
+    for _ in range(2):
+        if time.monotonic() > deadline:
+            return None
+        # In the form that the answers have: a color map of the learner's own is read by all cases.
+        again = collect_answers(table, function)
+        if not all(
+            is_same_outcome(table.parts, answer, one)
+            for answer, one in zip(answers, again, strict=True)
+            if isinstance(answer, tuple)
+        ):
             return Explanation(
                 "state",
                 "Called again with the same arguments, your function answers something else: it "
@@ -180,10 +185,11 @@ def _find_repair(
     for repair in list_repairs(table):
         if time.monotonic() > deadline:
             return None
+        # A repair that cannot be made repairs nothing.
         if all(
-            is_same_outcome(table.parts, due, call_once(table.parts, changed, function))
+            (changed := repair.change(case)) is not None
+            and is_same_outcome(table.parts, due, call_once(table.parts, changed, function))
             for case, due in cases
-            if (changed := repair.change(case)) is not None
         ):
             found.append(repair)
     # Two repairs of one fault cannot be told apart, so none is told.
