@@ -14,10 +14,10 @@ import numpy as np
 
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import axes, numbers, places, regions, rigid, selections
+from labutils.checks.explain.arguments import find_places
 from labutils.checks.explain.relation import Pair, Relation, choose
 from labutils.checks.explain.told import Explanation
 from labutils.checks.kinds import get_kind
-from labutils.checks.table import Scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -154,29 +154,18 @@ def _get_argument(name: str, pair: Pair) -> np.ndarray:
 def collect_pairs(table: CheckTable, answers: tuple[Outcome, ...]) -> list[list[Pair]]:
     """Pair what was due with what came: one list per part, of the cases where both exist."""
     found: list[list[Pair]] = [[] for _ in table.parts]
+    places_of = find_places(table)
     for index, (case, due, yours) in enumerate(
         zip(table.cases, table.expected, answers, strict=True)
     ):
         if not isinstance(due, tuple) or not isinstance(yours, tuple):
             continue
         aligned = align_rows(table.parts, due, yours)
-        args = _name_arguments(table, case.args)
+        args = {name: case.args[place] for name, place in places_of.items()}
         for number, (part, x, y) in enumerate(zip(table.parts, due, aligned, strict=True)):
             if x is None or y is None or not (x.size or y.size):
                 continue
             if x.ndim == y.ndim:
                 x, y = map(get_kind(part).to_canonical, (x, y))  # noqa: PLW2901
             found[number].append(Pair(index, args, part, x, y))
-    return found
-
-
-def _name_arguments(table: CheckTable, args: tuple[object, ...]) -> dict[str, object]:
-    """Name the arguments that are no scene; a scene fills several parameters."""
-    names = list(table.parameters)
-    found: dict[str, object] = {}
-    for value in args:
-        if isinstance(value, Scene):
-            del names[: len(value.gives)]
-        else:
-            found[names.pop(0)] = value
     return found

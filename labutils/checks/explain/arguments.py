@@ -35,7 +35,7 @@ def with_argument(case: Case, place: int, value: Any) -> Case:
     return replace(case, args=(*case.args[:place], value, *case.args[place + 1 :]))
 
 
-def list_others(table: CheckTable, case: Case, place: int) -> list[Any]:
+def list_others(table: CheckTable, place: int, case: Case) -> list[Any]:
     """List other values of an argument: two at least, since one change may be a symmetry.
 
     Empty where no other value is known to be valid.
@@ -79,11 +79,12 @@ def list_entries(name: str, value: Any) -> Iterator[tuple[str, int]]:
             yield f"{name}[{place}]", place
 
 
-def list_other_entries(value: np.ndarray, place: int) -> list[np.ndarray]:
-    """List copies of an array with another value in one place."""
-    found = []
+def list_other_entries(place: int, flat: int, case: Case) -> list[Any]:
+    """List copies of an array among the arguments, with another value in one entry."""
+    value = case.args[place]
+    found: list[Any] = []
     for factor, shift in ((1.2, 0.1), (0.7, -0.2)):
         other = value.copy()
-        other.flat[place] = other.flat[place] * factor + shift
+        other.flat[flat] = other.flat[flat] * factor + shift
         found.append(other)
     return found

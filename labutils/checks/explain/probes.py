@@ -137,17 +137,9 @@ def list_changes(
     Each comes with its place in a case, and what makes its other values from a case.
     """
     for name, place in find_places(table).items():
-        yield name, place, partial(_make_others, table, place)
+        yield name, place, partial(list_others, table, place)
         for entry, flat in list_entries(name, table.cases[0].args[place]):
-            yield entry, place, partial(_make_other_entries, place, flat)
-
-
-def _make_others(table: CheckTable, place: int, case: Case) -> list[Any]:
-    return list_others(table, case, place)
-
-
-def _make_other_entries(place: int, flat: int, case: Case) -> list[Any]:
-    return list(list_other_entries(case.args[place], flat))
+            yield entry, place, partial(list_other_entries, place, flat)
 
 
 def is_identical(one: Outcome, other: Outcome) -> bool:
