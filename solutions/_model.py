@@ -23,13 +23,14 @@ from labutils.checks.explain.probes import MIN_CASES, list_changes
 from labutils.checks.kinds import get_kind
 from labutils.checks.progress import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
+from solutions._contract import Duty, asked, given, told
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from content.chapters import Chapter
 
-__all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part"]
+__all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part", "asked", "given", "told"]
 
 #: With "Recognized: " before it, a text of this length fills two lines of a verdict. Two mistakes
 #: at once then still fit below twelve lines.
@@ -97,12 +98,15 @@ class Exercise:
         What comes back, with its tolerance.
     tolerance_reason : str
         Why the tolerance is neither tighter nor wider.
+    contract : tuple of Duty
+        What keeps each sentence of its statement and docstring.
     place : int
         Position among the exercises of its chapter.
     asks : mapping of str to str
         Where the exercise asks for less than the function of the library does: a parameter, and
-        its entry in the starter's docstring (the type, a line break, what it is). Parameters that
-        go by keyword only are no part of the exercise anyway.
+        its entry in the starter's docstring (the type, a line break, what it is); or a section,
+        such as "Raises", and its text, empty where the starter has none. Parameters that go by
+        keyword only are no part of the exercise anyway.
     """
 
     name: str
@@ -117,6 +121,7 @@ class Exercise:
     tolerance_reason: str
     misconceptions: tuple[Misconception, ...]
     hints: tuple[str, ...]
+    contract: tuple[Duty, ...]
     visible: Callable[[], tuple[Case, ...]]
     hidden: Callable[[np.random.Generator], tuple[Case, ...]]
     place: int = 1

@@ -8,7 +8,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import make_rotation
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 
 
 def _answer_with(
@@ -122,8 +122,44 @@ EXERCISE = Exercise(
             "see what stands where."
         ),
     ),
+    contract=(
+        asked(
+            "its-own-frame",
+            "the rotation of *its own* camera frame",
+            "mistake no-flip",
+            "mistake z-not-flipped",
+        ),
+        given("opencv", "Your points are in the frame of OpenCV"),
+        asked("move", "Move them into the world", "every case"),
+        asked(
+            "to-the-world",
+            "Move points from the OpenCV camera frame",
+            "mistake no-position",
+            "mistake position-first",
+        ),
+        asked("rotation", "R_world_cv", "mistake flip-outside", "mistake transposed"),
+        given("points", "OpenCV camera frame, meters"),
+        given("place", "data.cam_xpos"),
+        asked("axes", "data.cam_xmat", "case forty points", "case five points"),
+        asked(
+            "world",
+            "World coordinates in meters",
+            "value",
+            "case no point at all",
+            "case points in whole meters",
+        ),
+    ),
     visible=_visible,
     hidden=_hidden,
+    asks={
+        "points": "ndarray, int or float, shape (N, 3)\nOpenCV camera frame, meters.",
+        "cam_xpos": "ndarray, float, shape (3,)\n``data.cam_xpos`` of the camera.",
+        "cam_xmat": (
+            "ndarray, float, shape (9,) or (3, 3)\n``data.cam_xmat`` of the camera, MuJoCo's axes."
+        ),
+        "Returns": "ndarray, float, shape (N, 3)\n    World coordinates in meters.",
+        "Raises": "",
+    },
     absorbed=(
         Absorbed("no-flip", "z-not-flipped", "without a flip no part of it can be forgotten"),
         Absorbed("no-flip", "flip-outside", "without a flip there is no side to put it on"),

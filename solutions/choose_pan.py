@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 
 def choose_pan(u: float, pan: float, fov_y: float, width: int, height: int) -> float:
@@ -124,6 +124,27 @@ EXERCISE = Exercise(
         "How many pixels is the column away from the middle, and what is the middle?",
         "Pixels become an angle by the focal length in pixels: which triangle do they form?",
         "Something is left of the middle. Must the angle grow or shrink? Positive turns left.",
+    ),
+    contract=(
+        told("interesting", "Something interesting appears"),
+        asked(
+            "to-the-middle", "Which angle must the neck take", "every case", "mistake half-pixel"
+        ),
+        asked("target-angle", "A motor takes target angles", "mistake change-only"),
+        given("level", "statement: The head is level"),
+        asked("choose", "Choose the angle of the neck", "value"),
+        asked("axis", "summary: The head is level", "mistake no-arctangent"),
+        asked(
+            "positive-left",
+            "Positive angles turn the head to its left",
+            "mistake wrong-way",
+            "case something in the right part",
+        ),
+        given("column", "Column of the thing to look at"),
+        given("angle-then", "while the picture was taken"),
+        asked("vertical", "pixels are square", "mistake width-for-height"),
+        given("size", "Size of the picture, pixels"),
+        asked("radians", "The angle to set, radians", "mistake degrees"),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._cases import make_rotation
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given
 
 
 def crop_region(
@@ -26,7 +26,7 @@ def crop_region(
 
     Returns
     -------
-    ndarray, float64, (M, 3)
+    ndarray, float, (M, 3)
         The points in the box, in the robot's frame, in any order.
     """
     points = (points_world - T_world_robot[:3, 3]) @ T_world_robot[:3, :3]
@@ -152,6 +152,27 @@ EXERCISE = Exercise(
         "In which frame are the points, in which the limits? One of the two has to move.",
         "p_world = R p_robot + t. Solve for p_robot; a rotation's inverse is its transpose.",
         "A comparison gives (N, 3) truth values. Which axis of it does all(axis=...) join?",
+    ),
+    contract=(
+        asked("frame-of-the-robot", "given in the frame of the robot", "mistake box-in-the-world"),
+        given("in-the-world", "The cloud is in the world"),
+        asked("return", "Return the points in the box", "every case", "mistake left-in-the-world"),
+        asked("move", "Move a cloud into the frame", "value", "mistake position-last"),
+        given("points", "Points in the world, meters"),
+        asked("pose", "Pose of the robot", "mistake pose-not-inverted"),
+        asked(
+            "limits",
+            "Limits of the box",
+            "mistake one-axis-is-enough",
+            "mistake upper-limit-only",
+            "case points on the limits",
+        ),
+        asked(
+            "in-the-box",
+            "The points in the box, in the robot's frame, in any order",
+            "value",
+            "shape",
+        ),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -8,7 +8,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import make_depth, make_rgb, spoil_depth
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, told
 
 
 def _answer_with(
@@ -169,6 +169,60 @@ EXERCISE = Exercise(
             "False, so NaN falls out by itself."
         ),
     ),
+    contract=(
+        asked(
+            "every-pixel",
+            "Every pixel with a valid depth becomes a point",
+            "every case",
+            "mistake y-up",
+            "mistake rows-as-columns",
+        ),
+        asked(
+            "take-colors",
+            "the points take the colors",
+            "mistake colors-to-255",
+            "case colors, and pixels",
+        ),
+        asked(
+            "leave-out",
+            "Leave out NaN, infinity",
+            "mistake invalid-kept",
+            "case a pixel at the lower limit",
+            "case a pixel at the upper limit",
+        ),
+        asked("back-project", "Back-project a depth image", "value of points"),
+        asked("frame", "Points are in the OpenCV camera frame", "mistake y-up"),
+        asked("pixel-center", "is a pixel's center", "mistake pixel-corner"),
+        told("any-order", "Points may come in any order"),
+        asked("along-the-axis", "Meters along the optical axis", "mistake ray-length"),
+        asked("intrinsics", "Intrinsic matrix of the picture", "mistake one-focal-length"),
+        asked("colors-of", "Colors of the same pixels", "value of colors"),
+        asked("meters", "points: Meters.", "value of points"),
+        asked("limits", "are left out", "mistake invalid-kept"),
+        asked(
+            "colors-range",
+            "RGB in [0, 1]",
+            "range of colors",
+            "case every pixel sees a surface, no colors",
+        ),
+        asked("example", "array([[-0.01", "value of points"),
+    ),
     visible=_visible,
     hidden=_hidden,
+    asks={
+        "Convention": (
+            "Points are in the OpenCV camera frame: x right, y down, z forward. Integer (u, v) is "
+            "a pixel's center. Points may come in any order, with their colors in the same."
+        ),
+        "depth_metric": "ndarray, float, shape (H, W)\nMeters along the optical axis.",
+        "K": "ndarray, float, shape (3, 3)\nIntrinsic matrix of the picture, in pixels.",
+        "rgb_image": "ndarray, uint8, shape (H, W, 3), optional\nColors of the same pixels.",
+        "Returns": (
+            "points : ndarray, float, shape (N, 3)\n"
+            "    Meters. Pixels whose depth is NaN, infinite, <= 0.01 m or >= 10 m are left out.\n"
+            "colors : ndarray, float, shape (N, 3), or None\n"
+            "    RGB in [0, 1] of the same pixels; None without `rgb_image`."
+        ),
+        "Raises": "",
+    },
 )

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 
 def draw_top_view(
@@ -37,7 +37,7 @@ def draw_top_view(
     Returns
     -------
     ndarray, uint8, (H, W, 3)
-        RGB, 255 times the colors, rounded.
+        RGB, 255 times the colors; rounding is free.
     """
     height, width = np.rint((high - low) * pixels_per_meter).astype(int)
     picture = np.zeros((height, width, 3), dtype=np.uint8)
@@ -153,6 +153,28 @@ EXERCISE = Exercise(
         "First a row and a column for every point. Which of x and y makes the rows?",
         "Negative indices count from the end in NumPy: which points have to be dropped before?",
         "If points are drawn in the order of their height, which one stays?",
+    ),
+    contract=(
+        told("map", "Without a screen"),
+        asked(
+            "ahead-up", "Ahead of the robot is up", "mistake x-downward", "mistake y-to-the-right"
+        ),
+        asked(
+            "highest",
+            "from above you see the highest",
+            "mistake last-point-wins",
+            "mistake lowest-wins",
+        ),
+        asked("draw", "Draw a cloud as a map", "every case"),
+        asked("axes", "The robot looks along x", "mistake y-to-the-right", "mistake x-downward"),
+        asked("row-column", "falls into row", "value"),
+        asked("highest-seen", "the highest is seen", "mistake lowest-wins"),
+        asked("left-out", "Points outside the map are left out", "mistake clipped-to-the-border"),
+        given("points", "Points in the world (x forward"),
+        asked("colors", "RGB from 0 to 1 per point", "mistake colors-to-1"),
+        given("limits", "Limits (x, y) of the map"),
+        asked("size", "Scale; the map has", "shape"),
+        asked("levels", "RGB, 255 times the colors", "value"),
     ),
     visible=_visible,
     hidden=_hidden,

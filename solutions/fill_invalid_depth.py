@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from solutions._cases import make_depth, spoil_depth
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,7 +29,7 @@ def fill_invalid_depth(depth_metric: np.ndarray) -> np.ndarray:
 
     Returns
     -------
-    ndarray, float32, (H, W)
+    ndarray, float, (H, W)
         Meters; valid pixels keep their depth.
     """
     valid = (depth_metric > 0.01) & (depth_metric < 10)
@@ -138,6 +138,22 @@ EXERCISE = Exercise(
             "also works on float32."
         ),
         "Mark invalid pixels by 0, smaller than every depth. Repeat while there are any left.",
+    ),
+    contract=(
+        told("planning", "Planning needs a depth"),
+        asked("no-average", "Fill them without inventing surfaces", "mistake average"),
+        asked(
+            "rule", "The rule: the farthest valid neighbor", "mistake nearest-surface", "every case"
+        ),
+        asked("measured-stay", "Measured pixels keep what was measured", "mistake valid-changed"),
+        asked("fill", "Fill the invalid pixels", "value"),
+        asked("valid", "Valid is a depth above", "mistake zeros-only"),
+        asked("rounds", "Fill in rounds", "mistake four-neighbors"),
+        asked("repeat", "Repeat until no invalid pixel is left", "mistake one-round"),
+        told("why-farthest", "hence the farthest"),
+        given("meters", "depth_metric: Meters."),
+        given("one-valid", "At least one pixel is valid"),
+        asked("keep", "valid pixels keep their depth", "mistake valid-changed"),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from solutions._cases import hsv_to_rgb
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given
 
 Range = tuple[str, tuple[int, int, int], tuple[int, int, int]]
 
@@ -85,15 +85,19 @@ def _answer_with(
         above, below = hsv[..., 0] >= low[0], hsv[..., 0] <= high[0]
         wraps = low[0] > high[0] and "no-wrap" not in mistakes
         mask = (inside & (above | below if wraps else above & below)).astype(np.uint8)
-        outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        count, labels = cv2.connectedComponents(
+            mask, connectivity=4 if "four-neighbors" in mistakes else 8
+        )
         regions = []
-        for outline in outlines:
-            left, top, width, height = cv2.boundingRect(outline)
-            area = cv2.countNonZero(cv2.drawContours(np.zeros_like(mask), [outline], 0, 1, -1))
+        for label in range(1, count):
+            region = (labels == label).astype(np.uint8)
+            left, top, width, height = cv2.boundingRect(region)
+            area = cv2.countNonZero(region)
             if area < min_area and "specks-kept" not in mistakes:
                 continue
             if "outline-area" in mistakes:
-                area = int(cv2.contourArea(outline))
+                outlines, _ = cv2.findContours(region, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+                area = int(cv2.contourArea(outlines[0]))
             corners = (left, top, left + width, top + height)
             box = corners if "box-corners" in mistakes else (left, top, width, height)
             regions.append((area, name, box))
@@ -127,7 +131,10 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
         if side % 2:
             cv2.ellipse(hsv, (x, y), half, 0, 0, 360, color, -1)
         else:
-            hsv[y - half[1] : y + half[1], x - half[0] : x + half[0]] = color
+            top, left = y - half[1], x - half[0]
+            hsv[top : y + half[1], left : x + half[0]] = color
+            # A tail that touches the corner of the object only.
+            hsv[[top - 1, top - 2], [left - 1, left - 2]] = color
     # Specks on the borders of the grid, where no object is; yellow occurs as specks only.
     specks = [colors[0], colors[2], (28, 220, 200), (28, 220, 200)]
     for number, color in enumerate(specks):
@@ -209,6 +216,11 @@ EXERCISE = Exercise(
             "you keep regions with fewer pixels than min_area. They are noise, not objects.",
         ),
         Misconception(
+            "four-neighbors",
+            "pixels that touch at a corner only belong to one object. Count eight neighbors, not "
+            "four.",
+        ),
+        Misconception(
             "smallest-first",
             "your order is smallest first. The largest object comes first: sort in reverse.",
         ),
@@ -222,6 +234,23 @@ EXERCISE = Exercise(
         "One mask per color, as in segment_by_color. Then take the regions of the mask apart.",
         "cv2.connectedComponentsWithStats counts pixels and measures boxes; row 0 is the ground.",
         "Collect (area, name, box) of all colors in one list. Sorting it puts them in order.",
+    ),
+    contract=(
+        asked("all", "*all* things, of all colors", "mistake one-per-color", "every case"),
+        asked("largest-first", "The largest comes first", "mistake smallest-first"),
+        asked("noise", "is noise", "mistake specks-kept"),
+        asked("find", "Find all objects of several colors", "value of names"),
+        asked("region", "An object is a connected region", "mistake four-neighbors"),
+        given("no-holes", "No object has holes"),
+        asked("picture", "The picture.", "mistake bgr"),
+        given("limits", "Name of a color, and its limits"),
+        asked("wraps", "wraps through red", "mistake no-wrap"),
+        asked("fewer", "Regions with fewer pixels", "mistake specks-kept"),
+        asked("names", "Color name per object", "value of names"),
+        asked(
+            "areas", "Number of pixels, in the same order", "mistake outline-area", "value of areas"
+        ),
+        asked("boxes", "Smallest upright box", "mistake box-corners", "value of boxes"),
     ),
     visible=_visible,
     hidden=_hidden,

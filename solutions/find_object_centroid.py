@@ -9,7 +9,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import make_mask
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 
 def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
@@ -43,7 +43,7 @@ def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(61)
     return (
         Case("a large region and two small ones", (make_mask(rng, 48, 70),)),
-        Case("a picture that is higher than wide", (make_mask(rng, 78, 52),)),
+        Case("a picture that is higher than wide, 1 inside", (make_mask(rng, 78, 52) // 255,)),
         Case("an empty mask", (np.zeros((20, 30), dtype=np.uint8),)),
         Case("a line of one pixel's width, which has no area", (_make_line(20, 30),)),
     )
@@ -54,7 +54,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (
         Case("wide", (make_mask(rng, 50, 80),)),
         Case("high", (make_mask(rng, 84, 56),)),
-        Case("any", (make_mask(rng, 60, 90)[:, ::-1].copy(),)),
+        Case("1 inside", (make_mask(rng, 60, 90)[:, ::-1] // 255,)),
         Case("empty", (np.zeros((height, width), dtype=np.uint8),)),
         Case("a line", (_make_line(height, width),)),
     )
@@ -128,9 +128,49 @@ EXERCISE = Exercise(
             "of a line without any area."
         ),
     ),
+    contract=(
+        given("several", "A mask may show several regions"),
+        asked(
+            "largest",
+            "Return the center of mass",
+            "every case",
+            "mistake not-the-largest",
+            "mistake all-regions",
+            "mistake box-center",
+            "mistake fractions",
+        ),
+        asked(
+            "nothing",
+            "Where there is nothing to find",
+            "mistake no-empty-case",
+            "case an empty mask",
+        ),
+        asked("find", "Find the center of the largest object", "value"),
+        asked("column-first", "column first", "mistake row-column"),
+        told("index", "Index an array with"),
+        asked(
+            "not-zero",
+            "Anything not zero is inside",
+            "case a picture that is higher than wide, 1 inside",
+        ),
+        asked("rounding", "Center of mass of the external contour", "value", "mistake box-center"),
+        asked(
+            "none-where", "None where there is no contour", "case a line", "mistake no-empty-case"
+        ),
+    ),
     visible=_visible,
     hidden=_hidden,
     imports=("import cv2", "import numpy as np"),
+    asks={
+        "mask": "ndarray, uint8, shape (H, W)\nAnything not zero is inside.",
+        "Returns": (
+            "tuple of int, or None\n"
+            "    Center of mass of the external contour with the largest area, in whole pixels; "
+            "one pixel off is right, so rounding is free. None where there is no contour, or the "
+            "largest has no area (a line, a dot)."
+        ),
+        "Raises": "",
+    },
     absorbed=(
         Absorbed(
             "all-regions",

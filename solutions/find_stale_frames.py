@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 #: Less is no movement, in radians.
 _STILL = 0.001
@@ -146,6 +146,30 @@ EXERCISE = Exercise(
         "A picture is stale when two things hold. One is about the angles, one about the pictures.",
         "np.diff gives what changes from each entry to the next. What does it do to uint8?",
         "There are T pictures, but T - 1 changes. To which picture does the first change belong?",
+    ),
+    contract=(
+        told("log", "A log holds pictures"),
+        asked(
+            "angle-changed", "the angle has changed, the picture has not", "mistake angle-ignored"
+        ),
+        asked("find-them", "Find those pictures", "every case"),
+        asked(
+            "not-equal", "a repeated picture is not equal to the last byte", "mistake exactly-equal"
+        ),
+        asked("stands-still", "a neck that stands still", "mistake angle-ignored"),
+        asked("pose-before", "still show the pose before", "mistake one-early"),
+        asked(
+            "rule",
+            "no value of the picture has changed",
+            "mistake mean-change",
+            "mistake bytes-wrap",
+            "case another log, with more noise",
+        ),
+        asked("first", "The first picture is never stale", "mistake first-picture"),
+        given("order", "The pictures, oldest first"),
+        given("angle", "when each picture was taken"),
+        asked("noise", "Largest change of a value", "mistake bytes-wrap"),
+        asked("true-where", "True where a picture is stale.", "value"),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -10,7 +10,7 @@ import numpy as np
 import labutils
 from labutils.checks.table import Scene
 from solutions._cases import make_scene_text
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 
 
 def _answer_with(
@@ -127,10 +127,62 @@ EXERCISE = Exercise(
             "of the picture: times W or H it is in pixels."
         ),
     ),
+    contract=(
+        asked(
+            "by-name", "comes from a MuJoCo model, by name", "case another camera of the same kind"
+        ),
+        asked(
+            "degrees-inside",
+            "which the model holds in degrees",
+            "mistake tangent-of-degrees",
+            "case a camera given by its field",
+        ),
+        asked(
+            "data-sheet",
+            "like a real camera on a data sheet",
+            "mistake sensor-ignored",
+            "mistake principal-sign",
+        ),
+        asked(
+            "any-size",
+            "The picture may have any size",
+            "case one column of it",
+            "mistake half-pixel",
+        ),
+        asked("compute", "Compute the intrinsic matrix", "every case"),
+        asked(
+            "stretched",
+            "is stretched to the picture: its own",
+            "mistake square-pixels",
+            "case a camera given by its sensor",
+        ),
+        given("scene", "The compiled scene"),
+        given("camera-name", "Name of a camera of the model"),
+        given("size", "Picture size in pixels"),
+        asked("pixels", "Pixels.", "value of K"),
+        asked("angle", "the angle between the rays", "mistake degrees-returned", "value of fov_y"),
+        asked("raises", "Raises: ValueError", "case a camera that does not exist"),
+        asked(
+            "raises-when",
+            "If the model has no such camera",
+            "case a camera that does not exist",
+            "mistake unknown-camera",
+        ),
+    ),
     visible=lambda: _make_cases(np.random.default_rng(21)),
     hidden=_make_cases,
     imports=("import mujoco", "import numpy as np"),
-    asks={"camera_name": "str\nName of a camera of the model."},
+    asks={
+        "camera_name": "str\nName of a camera of the model.",
+        "Returns": (
+            "K : ndarray, float, shape (3, 3)\n"
+            "    Pixels.\n"
+            "fov_y : float\n"
+            "    Vertical field of view in radians: the angle between the rays through the upper "
+            "and the lower edge of the picture."
+        ),
+        "Raises": "ValueError\n    If the model has no such camera.",
+    },
     absorbed=(
         Absorbed("sensor-ignored", "principal-sign", "without the sensor there is no shift"),
         Absorbed("sensor-ignored", "square-pixels", "cam_fovy gives square pixels anyway"),

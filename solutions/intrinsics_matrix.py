@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import labutils
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 
 def _answer_with(mistakes: frozenset[str], fov_y: float, width: int, height: int) -> np.ndarray:
@@ -115,6 +115,33 @@ EXERCISE = Exercise(
             "principal point of a picture four pixels wide."
         ),
     ),
+    contract=(
+        given("given-by", "The simplest camera is given by"),
+        asked(
+            "ideal",
+            "Its pixels are square, and its optical axis",
+            "mistake width-for-height",
+            "mistake center-swapped",
+        ),
+        asked("projects", "Write the matrix K", "every case", "mistake twice-as-long"),
+        told("middle-question", "Where is the middle?"),
+        asked("pixel-centers", "Whole numbers are pixel centers", "mistake half-pixel"),
+        asked("build", "Build the intrinsic matrix of an ideal camera", "mistake whole-angle"),
+        asked(
+            "middle", "so the middle of W pixels is at", "mistake half-pixel", "case a line camera"
+        ),
+        asked("square", "Pixels are square: fx = fy", "mistake width-for-height"),
+        asked("radians", "Vertical field of view in radians", "mistake radians-again"),
+        given("size", "Picture size in pixels"),
+        asked("layout", "[[f, 0, cx]", "mistake transposed"),
+        asked("example", "240. ,   0. , 319.5", "value"),
+    ),
     visible=_visible,
     hidden=_hidden,
+    asks={
+        "Returns": (
+            "ndarray, float, shape (3, 3)\n    ``[[f, 0, cx], [0, f, cy], [0, 0, 1]]`` in pixels."
+        ),
+        "Raises": "",
+    },
 )

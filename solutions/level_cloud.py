@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._cases import make_rotation
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 #: Points this close to the plane belong to the table, in meters.
 _TABLE = 0.01
@@ -29,10 +29,10 @@ def level_cloud(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
     Returns
     -------
-    plane : ndarray, float64, (4,)
+    plane : ndarray, float, (4,)
         (a, b, c, d) with a unit normal n = (a, b, c) and n . p + d = 0 on the table. The sign is
         such that d > 0: the normal points to the side of the camera.
-    leveled : ndarray, float64, (N, 3)
+    leveled : ndarray, float, (N, 3)
         R p + (0, 0, d) for every point p, in the order of the input. R is the smallest rotation
         that turns n into (0, 0, 1): its axis is the cross product of n and (0, 0, 1). So z is the
         height above the table.
@@ -182,6 +182,30 @@ EXERCISE = Exercise(
             "With v = n x (0, 0, 1), c = n . (0, 0, 1) and V the matrix with V p = v x p: "
             "R = I + V + V V / (1 + c)."
         ),
+    ),
+    contract=(
+        told("tilted", "Nobody told you"),
+        asked("find-plane", "in spite of the things on it", "every case", "mistake all-points"),
+        told("ransac", "RANSAC is the classic way"),
+        asked("fit-again", "Then fit again", "value of plane"),
+        told("signs", "The signs are stated"),
+        asked("find", "Find the table top", "value"),
+        given("most-points", "The table holds more points"),
+        given("within", "Its points lie within 2 mm"),
+        asked("least-squares", "by least squares", "value of plane"),
+        asked("same-every-time", "so that it answers the same every time", "value"),
+        given("origin", "the camera is at the origin"),
+        asked("unit-normal", "with a unit normal", "value of plane"),
+        asked("sign", "The sign is such that", "mistake normal-down"),
+        asked(
+            "turned",
+            "R p + (0, 0, d)",
+            "mistake not-shifted",
+            "mistake turned-back",
+            "value of leveled",
+        ),
+        asked("smallest", "R is the smallest rotation", "mistake to-the-y-axis"),
+        asked("height", "So z is the height", "mistake not-shifted"),
     ),
     visible=_visible,
     hidden=_hidden,

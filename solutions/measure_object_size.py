@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 #: Pixels of the mask this far from its median depth see something else, in meters.
 _SAME_OBJECT = 0.05
@@ -178,6 +178,33 @@ EXERCISE = Exercise(
         "Which pixels belong to the object? There are three conditions, and one is about depth.",
         "Pixels become points by x = (u - cx) z / fx, and y likewise with its own numbers.",
         "np.ptp(x) is the largest minus the smallest value.",
+    ),
+    contract=(
+        asked("how-wide", "How wide and how high", "every case"),
+        asked("no-pixels", "pixels are no meters", "mistake one-depth"),
+        told("not-perfect", "The mask is not perfect"),
+        asked("wall-behind", "At its border some pixels see the wall", "mistake edges-kept"),
+        asked("measure", "Measure the width and height", "value"),
+        told("background", "some pixels see the background"),
+        asked(
+            "rule",
+            "Take the median depth",
+            "mistake edges-kept",
+            "mistake mask-ignored",
+            "case right before the lens",
+            "case at the end of the range",
+        ),
+        asked(
+            "extent",
+            "Of the points behind these pixels",
+            "mistake one-depth",
+            "mistake height-first",
+            "case a picture that is higher",
+        ),
+        given("on-the-object", "255 on the object"),
+        asked("along-the-axis", "Meters along the optical axis", "mistake ray-length"),
+        asked("intrinsics", "Intrinsic matrix", "mistake one-focal-length"),
+        asked("meters", "width, height: Meters.", "value"),
     ),
     visible=_visible,
     hidden=_hidden,

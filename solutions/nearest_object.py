@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._cases import make_rotation
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 
 
 def nearest_object(
@@ -42,7 +42,7 @@ def nearest_object(
     -------
     label : int or None
         Which object; None where none fits.
-    position_world : ndarray, float64, (3,), or None
+    position_world : ndarray, float, (3,), or None
         Its position, moved into the world frame, meters; None where none fits.
     """
     best_label: int | None = None
@@ -200,6 +200,44 @@ EXERCISE = Exercise(
         "For one object: a mask, the points behind it, a width and a position. Then a loop.",
         "x = (u - cx) z / fx, y likewise. Which pixels have a depth that you can trust?",
         "Compare distances in the camera frame, where the camera is at 0. Which step comes last?",
+    ),
+    contract=(
+        given("labels-number", "numbers their pixels"),
+        asked(
+            "only-so-far",
+            "The hand opens only so far",
+            "mistake any-width",
+            "case a hand that is too small",
+        ),
+        asked("which", "Which object is the nearest", "every case"),
+        asked(
+            "suspects",
+            "Take care of the three usual suspects",
+            "mistake invalid-kept",
+            "mistake depth-only",
+            "mistake camera-frame",
+        ),
+        asked("choose", "Choose the nearest object", "value of label"),
+        asked("valid", "Only pixels with a valid depth count", "mistake invalid-kept"),
+        asked("width-position", "give its width", "mistake mean-position", "mistake any-width"),
+        asked("nearest", "has the smallest distance", "mistake depth-only"),
+        given("background", "0 for the background"),
+        asked("invalid-inside", "may include invalid ones", "mistake invalid-kept"),
+        given("intrinsics", "Intrinsic matrix"),
+        asked("pose", "Pose of the camera", "mistake pose-inverted"),
+        asked("hand", "How far the hand opens", "mistake any-width"),
+        asked(
+            "which-one",
+            "Which object; None where none fits",
+            "value of label",
+            "case a hand that is too small",
+        ),
+        asked(
+            "in-the-world",
+            "Its position, moved into the world frame",
+            "mistake camera-frame",
+            "value of position_world",
+        ),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 
 def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
@@ -25,9 +25,9 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
 
     Returns
     -------
-    points : ndarray, float64, (N, 3)
+    points : ndarray, float, (N, 3)
         x, y, z.
-    colors : ndarray, float64, (N, 3), or None
+    colors : ndarray, float, (N, 3), or None
         Red, green, blue from 0 to 1, or None where the file has no colors.
     """
     lines = text.splitlines()
@@ -165,6 +165,33 @@ EXERCISE = Exercise(
         "str.splitlines and list.index find where the header ends. What does it tell you before?",
         "Collect the names of the vertex properties. names.index('x') is the column of x.",
         "How many lines are points? Which lines come after them, and do you need those?",
+    ),
+    contract=(
+        told("write-then-read", "Write, then read back"),
+        asked("read", "Read the text of an ASCII PLY file", "every case"),
+        asked("header", "Its header says which numbers", "mistake fixed-columns"),
+        told("library", "The library's"),
+        asked("points-colors", "Read points and colors", "value"),
+        asked("end-header", "The header ends with the line", "mistake first-point-lost"),
+        asked(
+            "element",
+            "the first N lines after the header",
+            "mistake first-point-lost",
+            "mistake other-elements-read",
+        ),
+        asked(
+            "any-order",
+            "in any order among other properties",
+            "mistake fixed-columns",
+            "mistake blue-first",
+            "case properties in another order",
+        ),
+        asked(
+            "others", "There may be", "mistake other-elements-read", "case points without colors"
+        ),
+        given("text", "The whole file"),
+        asked("xyz", "x, y, z.", "value of points"),
+        asked("colors", "Red, green, blue from 0 to 1", "mistake colors-to-255", "range of colors"),
     ),
     visible=_visible,
     hidden=_hidden,

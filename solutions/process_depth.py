@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import labutils
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
 
 
 def _answer_with(
@@ -129,8 +129,46 @@ EXERCISE = Exercise(
         ),
         "Clip the raw value to 0-1 first. np.clip leaves NaN alone, and that is what you want.",
     ),
+    contract=(
+        asked(
+            "form",
+            "A graphics card stores depth in the form",
+            "mistake linear",
+            "mistake reversed",
+            "mistake ndc",
+        ),
+        asked("to-meters", "Turn such a buffer into meters", "every case", "mistake left-as-it-is"),
+        asked("clip", "come from rounding", "mistake not-clipped"),
+        asked("nan-stays", "it has to stay", "mistake nan-lost"),
+        asked("turn", "Turn window-space depth", "value"),
+        asked("hyperbolic", "hyperbolic in between", "mistake linear", "case an even ramp"),
+        told("reversed-z", "MuJoCo draws with *reversed* z"),
+        told("done-already", "has done this step already"),
+        asked("outside", "values outside [0, 1] are clipped", "case values of a real buffer"),
+        asked(
+            "planes",
+            "Clip planes in meters",
+            "mistake fixed-planes",
+            "case other clip planes",
+            "range",
+        ),
+        asked("unit", "Meters along the optical axis.", "value"),
+        asked("example", "array([[1. , 1.5, 3. ]])", "value"),
+    ),
     visible=_visible,
     hidden=_hidden,
+    asks={
+        "depth_raw": (
+            "ndarray, float32, shape (H, W)\n"
+            "Window depth; values outside [0, 1] are clipped, NaN stays NaN."
+        ),
+        "Returns": "ndarray, float, shape (H, W)\n    Meters along the optical axis.",
+        "Raises": "",
+        "Examples": (
+            ">>> process_depth(np.array([[0.0, 0.5, 1.0]]), near=1.0, far=3.0)\n"
+            "array([[1. , 1.5, 3. ]])"
+        ),
+    },
     absorbed=(
         Absorbed("linear", "ndc", _ONE_FORMULA),
         *(

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._cases import make_depth, make_rotation
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 
 #: A point may lie this far behind the measured surface and still be on it, in meters.
 _ON_SURFACE = 0.02
@@ -39,7 +39,7 @@ def project_visible_points(
 
     Returns
     -------
-    pixels : ndarray, float64, (N, 2)
+    pixels : ndarray, float, (N, 2)
         (u, v) of each point, not rounded, also outside the picture; NaN where its depth is 0.01 m
         or less.
     visible : ndarray, bool, (N,)
@@ -215,6 +215,34 @@ EXERCISE = Exercise(
         "World to camera, camera to pixel, pixel to depth image: three steps, each one line.",
         "A rotation's inverse is its transpose: (p - t) @ R for points in rows.",
         "Arrays are indexed [row, column] with whole numbers: depth[v, u], after rounding.",
+    ),
+    contract=(
+        asked(
+            "other-way",
+            "from points in the world to pixels",
+            "every case",
+            "mistake row-column",
+            "mistake pixel-corner",
+        ),
+        asked("which-seen", "Then ask which", "value of visible"),
+        asked("outside-behind", "A point may lie outside the picture", "mistake behind-kept"),
+        asked("hidden", "what is farther than the measured surface", "mistake nothing-hides"),
+        asked("project", "Project points of the world", "value of pixels"),
+        asked(
+            "visible-rule", "A point is visible if", "mistake nothing-hides", "mistake ray-length"
+        ),
+        asked("hides-nothing", "hides nothing", "value of visible"),
+        given("points", "Points in the world, meters"),
+        asked("pose", "Pose of the camera", "mistake pose-not-inverted"),
+        given("intrinsics", "Intrinsic matrix"),
+        asked("along-the-axis", "What the camera measured", "mistake ray-length"),
+        asked(
+            "not-rounded",
+            "not rounded, also outside the picture",
+            "value of pixels",
+            "mistake behind-kept",
+        ),
+        asked("sees", "Whether the camera sees the point", "value of visible"),
     ),
     visible=_visible,
     hidden=_hidden,

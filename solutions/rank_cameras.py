@@ -9,7 +9,7 @@ import numpy as np
 
 from labutils.checks.table import Scene
 from solutions._cases import make_scene_text
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 if TYPE_CHECKING:
     from mujoco import MjData, MjModel
@@ -35,7 +35,7 @@ def rank_cameras(
     -------
     ids : ndarray, int, (C,)
         Numbers of the cameras, nearest first.
-    distances : ndarray, float64, (C,)
+    distances : ndarray, float, (C,)
         Their distances from the point, meters, in the same order.
     """
     mujoco.mj_forward(model, data)
@@ -137,6 +137,21 @@ EXERCISE = Exercise(
         "Where does MuJoCo keep the places of all cameras in the world, one row per camera?",
         "Are these places up to date? What does the chapter call before it reads them?",
         "np.argsort gives the order. How do the distances get into the same order?",
+    ),
+    contract=(
+        told("several", "The robot has several cameras"),
+        asked("nearest-next", "which comes next", "every case", "mistake farthest-first"),
+        asked("where-they-are", "Ask MuJoCo where the cameras", "mistake mounting-place"),
+        asked("not-noticed", "where they are mounted", "mistake stale-pose"),
+        asked("sorted", "Sort the cameras of a model", "value of ids", "mistake along-the-axis"),
+        asked("joints-moved", "The joints may have moved", "mistake stale-pose"),
+        given("count", "A model with C cameras"),
+        given("state", "Its state"),
+        asked("point", "A point in the world, meters", "mistake on-the-floor"),
+        asked("numbers", "Numbers of the cameras, nearest first", "value of ids"),
+        asked(
+            "same-order", "in the same order", "mistake distances-not-sorted", "value of distances"
+        ),
     ),
     visible=_visible,
     hidden=_hidden,

@@ -9,7 +9,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import make_render_scene
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 
 
 def _answer_with(
@@ -128,10 +128,69 @@ EXERCISE = Exercise(
             "your own next call."
         ),
     ),
+    contract=(
+        told("question", "what do you see now"),
+        asked("any-camera", "for any camera of the model", "every case", "mistake one-camera"),
+        told("traps", "Three traps wait"),
+        asked(
+            "joints-moved",
+            "The joints may have moved",
+            "mistake stale-pose",
+            "case a camera on the head",
+        ),
+        asked(
+            "renderer-shared",
+            "whoever uses it next expects color",
+            "value of renderer in color mode",
+        ),
+        asked(
+            "no-such-camera",
+            "a camera that does not exist is an error",
+            "case a camera that the model does not have",
+        ),
+        asked(
+            "both-pictures",
+            "Render color and depth from a camera",
+            "value of rgb",
+            "mistake bgr",
+            "mistake upside-down",
+        ),
+        asked("current-state", "The picture shows the *current*", "mistake stale-pose", "input"),
+        asked("metric", "Depth is metric", "mistake converted-again", "value of depth"),
+        asked("far-plane", "Pixels that see nothing read the far plane", "value of depth"),
+        given("state", "The scene and its state"),
+        asked("picture-size", "its size is the picture size", "shape of rgb", "shape of depth"),
+        given("camera-name", "Name of a camera of the model"),
+        asked(
+            "color-picture", "The color picture.", "value of rgb", "mistake switch-with-argument"
+        ),
+        asked("color-mode", "The renderer is left in color mode", "mistake depth-mode-left-on"),
+        asked("depth-unit", "Meters.", "value of depth", "range of depth"),
+        asked("raises", "Raises: ValueError", "case a camera that the model does not have"),
+        asked(
+            "raises-when",
+            "If the model has no such camera",
+            "case a camera that the model does not have",
+        ),
+    ),
     visible=lambda: _make_cases(np.random.default_rng(11)),
     hidden=_make_cases,
     imports=("import mujoco",),
-    asks={"camera_name": "str\nName of a camera of the model."},
+    asks={
+        "renderer": "mujoco.Renderer\nFrom `make_renderer`; its size is the picture size.",
+        "camera_name": "str\nName of a camera of the model.",
+        "Convention": (
+            "The picture shows the *current* ``data.qpos``: what follows from it is brought up to "
+            "date first, which changes no state. Depth is metric: meters along the optical axis, "
+            "not along the ray. Pixels that see nothing read the far plane."
+        ),
+        "Returns": (
+            "rgb : ndarray, uint8, shape (H, W, 3)\n"
+            "    The color picture. The renderer is left in color mode.\n"
+            "depth : ndarray, float, shape (H, W)\n"
+            "    Meters."
+        ),
+    },
     absorbed=tuple(
         Absorbed("switch-with-argument", other, "the program stops before the other mistake shows")
         for other in (

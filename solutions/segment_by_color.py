@@ -9,7 +9,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import hsv_to_rgb, make_color_scene
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 
 Color = tuple[int, int, int]
 
@@ -165,9 +165,46 @@ EXERCISE = Exercise(
             "Which of the two has to come first if specks must not grow?"
         ),
     ),
+    contract=(
+        asked(
+            "mark",
+            "Mark the pixels whose hue",
+            "every case",
+            "mistake no-cleaning",
+            "mistake close-first",
+            "mistake small-kernel",
+            "mistake limits-excluded",
+        ),
+        asked("red", "Red is cut in two", "mistake no-wrap", "case red"),
+        asked("clean", "cleaned of specks and holes", "value", "mistake no-cleaning"),
+        asked(
+            "units",
+            "OpenCV's 8-bit HSV",
+            "mistake hue-in-degrees",
+            "case pale and bright red",
+            "case strong and dark blue",
+        ),
+        asked(
+            "inclusive", "Limits are inclusive", "mistake limits-excluded", "case one exact color"
+        ),
+        asked("wraps", "wraps through red", "mistake no-wrap"),
+        asked("rgb", "RGB (not BGR)", "mistake bgr"),
+        given("limits", "Low and high limits"),
+        asked(
+            "levels",
+            "255 inside, 0 outside",
+            "range",
+            "mistake small-kernel",
+            "mistake close-first",
+        ),
+    ),
     visible=lambda: _make_cases(np.random.default_rng(51)),
     hidden=_make_cases,
     imports=("import cv2", "import numpy as np"),
+    asks={
+        "rgb_image": "ndarray, uint8, shape (H, W, 3)\nThe picture, RGB (not BGR).",
+        "Raises": "",
+    },
     absorbed=(
         Absorbed("no-cleaning", "close-first", _NOT_CLEANED),
         Absorbed("no-cleaning", "small-kernel", _NOT_CLEANED),

@@ -7,7 +7,7 @@ import numpy as np
 
 import labutils
 from solutions._cases import make_depth, spoil_depth
-from solutions._model import Absorbed, Case, Exercise, Misconception, Part
+from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
 
 
 def _answer_with(
@@ -127,9 +127,47 @@ EXERCISE = Exercise(
             "Paint it last."
         ),
     ),
+    contract=(
+        asked(
+            "blue-to-red",
+            "blue is close, red is far",
+            "every case",
+            "mistake red-is-close",
+            "mistake own-maximum",
+        ),
+        asked("any-map", "Any map from blue to red will do", "value"),
+        told("measurements", "A reader takes colors for measurements"),
+        asked(
+            "black",
+            "a pixel that measured nothing",
+            "mistake invalid-colored",
+            "case a room with pixels that see nothing",
+        ),
+        asked("bgr", "The picture is BGR", "mistake rgb"),
+        asked("color", "Color a depth image", "value"),
+        asked("meters", "Meters.", "mistake not-scaled"),
+        asked(
+            "at-or-beyond",
+            "Everything at or beyond",
+            "mistake not-clipped",
+            "case an even ramp that goes on",
+            "case the same room, max_depth smaller",
+        ),
+        asked("ready", "ready for", "mistake rgb"),
+        asked(
+            "black-where",
+            "Black where the depth is NaN",
+            "mistake infinity-is-far",
+            "mistake invalid-colored",
+        ),
+    ),
     visible=_visible,
     hidden=_hidden,
     imports=("import cv2", "import numpy as np"),
+    asks={
+        "depth_metric": "ndarray, float32, shape (H, W)\nMeters.",
+        "Raises": "",
+    },
     absorbed=(
         Absorbed("not-clipped", "own-maximum", "no share exceeds 1 when divided by the maximum"),
         Absorbed("invalid-colored", "infinity-is-far", "nothing is black, infinity neither"),

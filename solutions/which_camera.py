@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._model import Case, Exercise, Misconception, Part
+from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 
 
 def which_camera(
@@ -147,6 +147,27 @@ EXERCISE = Exercise(
         "With a camera matrix, a point gives a pixel. Which camera puts them where they were seen?",
         "The focal length is height / (2 tan(fov_y / 2)). Where is the principal point?",
         "np.argmin tells which of several errors is smallest. One error per camera, as a distance.",
+    ),
+    contract=(
+        told("mixed-up", "Somebody mixed up the files"),
+        given("known", "You know a few points"),
+        asked("which", "Which camera took it?", "every case"),
+        asked("every-point", "puts every point where it was seen", "mistake errors-cancel"),
+        asked("both-numbers", "Return its number and how far off", "value"),
+        asked("tell", "Tell from known points", "case five cameras"),
+        given("frame", "x right, y down, z forward"),
+        asked("found", "Where the points were found", "mistake row-column"),
+        asked(
+            "fields-of-view",
+            "Vertical fields of view",
+            "mistake half-pixel",
+            "mistake radians-again",
+            "mistake whole-angle",
+            "mistake width-for-height",
+        ),
+        given("size", "Size of the picture, pixels"),
+        asked("counted", "counted from 0", "value of camera"),
+        asked("mean-distance", "the mean distance", "value of error_px", "mistake errors-cancel"),
     ),
     visible=_visible,
     hidden=_hidden,

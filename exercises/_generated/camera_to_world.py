@@ -16,24 +16,18 @@ def camera_to_world(points, cam_xpos, cam_xmat):
 
     Parameters
     ----------
-    points : array-like, real, shape (N, 3)
+    points : ndarray, int or float, shape (N, 3)
         OpenCV camera frame, meters.
-    cam_xpos : array-like, 3 numbers
+    cam_xpos : ndarray, float, shape (3,)
         ``data.cam_xpos`` of the camera.
-    cam_xmat : array-like, 9 numbers or shape (3, 3)
+    cam_xmat : ndarray, float, shape (9,) or (3, 3)
         ``data.cam_xmat`` of the camera, MuJoCo's axes.
 
     The arguments stay as they are.
 
     Returns
     -------
-    ndarray, float32 or float64, shape (N, 3)
-        World coordinates in meters; float32 only where float32 points
-        came in.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a shape does not fit, or `cam_xmat` is no rotation.
+    ndarray, float, shape (N, 3)
+        World coordinates in meters.
     """
     raise NotImplementedError

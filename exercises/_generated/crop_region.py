@@ -25,7 +25,7 @@ def crop_region(points_world, T_world_robot, low, high):
 
     Returns
     -------
-    ndarray, float64, (M, 3)
+    ndarray, float, (M, 3)
         The points in the box, in the robot's frame, in any order.
     """
     raise NotImplementedError

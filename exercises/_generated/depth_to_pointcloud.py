@@ -12,33 +12,27 @@ def depth_to_pointcloud(depth_metric, K, rgb_image=None):
     Convention
     ----------
     Points are in the OpenCV camera frame: x right, y down, z forward.
-    Integer (u, v) is a pixel's center. Points keep the order of the
-    pixels, row by row.
+    Integer (u, v) is a pixel's center. Points may come in any order,
+    with their colors in the same.
 
     Parameters
     ----------
-    depth_metric : array-like, real, shape (H, W)
+    depth_metric : ndarray, float, shape (H, W)
         Meters along the optical axis.
-    K : array-like, shape (3, 3)
+    K : ndarray, float, shape (3, 3)
         Intrinsic matrix of the picture, in pixels.
-    rgb_image : array-like, uint8, shape (H, W, 3), optional
+    rgb_image : ndarray, uint8, shape (H, W, 3), optional
         Colors of the same pixels.
 
     The arguments stay as they are.
 
     Returns
     -------
-    points : ndarray, float32 or float64, shape (N, 3)
-        Meters; float64 only where float64 depth came in. Pixels whose
-        depth is NaN, infinite, <= 0.01 m or >= 10 m are left out.
-    colors : ndarray, float32, shape (N, 3), or None
+    points : ndarray, float, shape (N, 3)
+        Meters. Pixels whose depth is NaN, infinite, <= 0.01 m or >=
+        10 m are left out.
+    colors : ndarray, float, shape (N, 3), or None
         RGB in [0, 1] of the same pixels; None without `rgb_image`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the depth is no image of real numbers, K is no intrinsic
-        matrix, or the pictures differ in size.
 
     Examples
     --------

@@ -33,6 +33,6 @@ def draw_top_view(points_world, colors, low, high, pixels_per_meter):
     Returns
     -------
     ndarray, uint8, (H, W, 3)
-        RGB, 255 times the colors, rounded.
+        RGB, 255 times the colors; rounding is free.
     """
     raise NotImplementedError

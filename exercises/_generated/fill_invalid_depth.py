@@ -26,7 +26,7 @@ def fill_invalid_depth(depth_metric):
 
     Returns
     -------
-    ndarray, float32, (H, W)
+    ndarray, float, (H, W)
         Meters; valid pixels keep their depth.
     """
     raise NotImplementedError

@@ -17,7 +17,7 @@ def find_object_centroid(mask):
 
     Parameters
     ----------
-    mask : array-like, uint8 or bool, shape (H, W)
+    mask : ndarray, uint8, shape (H, W)
         Anything not zero is inside.
 
     The arguments stay as they are.
@@ -26,12 +26,8 @@ def find_object_centroid(mask):
     -------
     tuple of int, or None
         Center of mass of the external contour with the largest area,
-        rounded down to whole pixels. None where there is no contour,
-        or the largest has no area (a line, a dot).
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `mask` is not a uint8 or bool image of one channel.
+        in whole pixels; one pixel off is right, so rounding is free.
+        None where there is no contour, or the largest has no area (a
+        line, a dot).
     """
     raise NotImplementedError

@@ -30,7 +30,7 @@ def get_camera_intrinsics(model, camera_name, width, height):
 
     Returns
     -------
-    K : ndarray, float64, shape (3, 3)
+    K : ndarray, float, shape (3, 3)
         Pixels.
     fov_y : float
         Vertical field of view in radians: the angle between the rays
@@ -39,8 +39,7 @@ def get_camera_intrinsics(model, camera_name, width, height):
     Raises
     ------
     ValueError
-        If the model has no such camera, or the camera is
-        orthographic.
+        If the model has no such camera.
 
     References
     ----------

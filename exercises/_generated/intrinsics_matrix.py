@@ -26,14 +26,8 @@ def intrinsics_matrix(fov_y, width, height):
 
     Returns
     -------
-    ndarray, float64, shape (3, 3)
+    ndarray, float, shape (3, 3)
         ``[[f, 0, cx], [0, f, cy], [0, 0, 1]]`` in pixels.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `fov_y` is outside (0, pi) or the size is not positive
-        whole numbers.
 
     Examples
     --------

@@ -28,11 +28,11 @@ def level_cloud(points):
 
     Returns
     -------
-    plane : ndarray, float64, (4,)
+    plane : ndarray, float, (4,)
         (a, b, c, d) with a unit normal n = (a, b, c) and n . p + d =
         0 on the table. The sign is such that d > 0: the normal points
         to the side of the camera.
-    leveled : ndarray, float64, (N, 3)
+    leveled : ndarray, float, (N, 3)
         R p + (0, 0, d) for every point p, in the order of the input.
         R is the smallest rotation that turns n into (0, 0, 1): its
         axis is the cross product of n and (0, 0, 1). So z is the

@@ -38,7 +38,7 @@ def nearest_object(labels, depth_metric, K, T_world_cam, max_width):
     -------
     label : int or None
         Which object; None where none fits.
-    position_world : ndarray, float64, (3,), or None
+    position_world : ndarray, float, (3,), or None
         Its position, moved into the world frame, meters; None where
         none fits.
     """

@@ -26,9 +26,9 @@ def parse_ply(text):
 
     Returns
     -------
-    points : ndarray, float64, (N, 3)
+    points : ndarray, float, (N, 3)
         x, y, z.
-    colors : ndarray, float64, (N, 3), or None
+    colors : ndarray, float, (N, 3), or None
         Red, green, blue from 0 to 1, or None where the file has no
         colors.
     """

@@ -19,7 +19,7 @@ def process_depth(depth_raw, near=0.01, far=10.0):
 
     Parameters
     ----------
-    depth_raw : array-like, real, any shape
+    depth_raw : ndarray, float32, shape (H, W)
         Window depth; values outside [0, 1] are clipped, NaN stays
         NaN.
     near, far : float
@@ -29,19 +29,13 @@ def process_depth(depth_raw, near=0.01, far=10.0):
 
     Returns
     -------
-    ndarray, float32 or float64, same shape
-        Meters along the optical axis. float64 only where float64 came
-        in.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the depth is not real numbers, or not 0 < near < far.
+    ndarray, float, shape (H, W)
+        Meters along the optical axis.
 
     Examples
     --------
-    >>> process_depth(np.array([0.0, 0.5, 1.0]), near=1.0, far=3.0)
-    array([1. , 1.5, 3. ])
+    >>> process_depth(np.array([[0.0, 0.5, 1.0]]), near=1.0, far=3.0)
+    array([[1. , 1.5, 3. ]])
 
     References
     ----------

@@ -34,7 +34,7 @@ def project_visible_points(
 
     Returns
     -------
-    pixels : ndarray, float64, (N, 2)
+    pixels : ndarray, float, (N, 2)
         (u, v) of each point, not rounded, also outside the picture;
         NaN where its depth is 0.01 m or less.
     visible : ndarray, bool, (N,)

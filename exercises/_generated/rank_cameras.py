@@ -28,7 +28,7 @@ def rank_cameras(model, data, point_world):
     -------
     ids : ndarray, int, (C,)
         Numbers of the cameras, nearest first.
-    distances : ndarray, float64, (C,)
+    distances : ndarray, float, (C,)
         Their distances from the point, meters, in the same order.
     """
     raise NotImplementedError

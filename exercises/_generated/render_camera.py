@@ -11,16 +11,16 @@ def render_camera(model, data, renderer, camera_name):
 
     Convention
     ----------
-    The picture shows the *current* ``data.qpos`` (and mocap poses):
-    what follows from them is brought up to date first, which changes
-    no state. Depth is metric: meters along the optical axis, not
-    along the ray. Pixels that see nothing read the far plane.
+    The picture shows the *current* ``data.qpos``: what follows from
+    it is brought up to date first, which changes no state. Depth is
+    metric: meters along the optical axis, not along the ray. Pixels
+    that see nothing read the far plane.
 
     Parameters
     ----------
     model, data : mujoco.MjModel, mujoco.MjData
         The scene and its state.
-    renderer : mujoco.Renderer or RaycastRenderer
+    renderer : mujoco.Renderer
         From `make_renderer`; its size is the picture size.
     camera_name : str
         Name of a camera of the model.
@@ -31,7 +31,7 @@ def render_camera(model, data, renderer, camera_name):
     -------
     rgb : ndarray, uint8, shape (H, W, 3)
         The color picture. The renderer is left in color mode.
-    depth : ndarray, float32, shape (H, W)
+    depth : ndarray, float, shape (H, W)
         Meters.
 
     Raises

@@ -20,7 +20,7 @@ def segment_by_color(rgb_image, target_hsv_range):
 
     Parameters
     ----------
-    rgb_image : array-like, uint8, shape (H, W, 3)
+    rgb_image : ndarray, uint8, shape (H, W, 3)
         The picture, RGB (not BGR).
     target_hsv_range : ((h, s, v), (h, s, v))
         Low and high limits.
@@ -32,13 +32,6 @@ def segment_by_color(rgb_image, target_hsv_range):
     ndarray, uint8, shape (H, W)
         255 inside, 0 outside, after opening and then closing with 5x5
         ones, at the border as ``cv2.morphologyEx`` does it.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the picture is not uint8 RGB, or the range is not two
-        triples within OpenCV's limits with low <= high for saturation
-        and value.
 
     References
     ----------

@@ -12,7 +12,7 @@ def visualize_depth(depth_metric, max_depth=5.0):
 
     Parameters
     ----------
-    depth_metric : array-like, real, shape (H, W)
+    depth_metric : ndarray, float32, shape (H, W)
         Meters.
     max_depth : float
         Everything at or beyond this is the reddest red.
@@ -25,11 +25,5 @@ def visualize_depth(depth_metric, max_depth=5.0):
         **BGR**, ready for ``cv2.imwrite``. Black where the depth is
         NaN, infinite or <= 0: black is in no color map, so it cannot
         be taken for a distance.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the depth is no image of real numbers, or `max_depth` is
-        not positive.
     """
     raise NotImplementedError

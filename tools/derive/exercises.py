@@ -1,9 +1,10 @@
 """Derive everything an exercise needs from its card in solutions/: what `make exercises` runs.
 
 Writes the starters (signature and docstring, no body), the frozen tables a check reads, the marked
-parts of the exercise pages and chapters, the rubric table of the book and the instructor's list of
-hints. With ``--check`` nothing is written: the
-script fails where a file differs from what its card gives.
+parts of the exercise pages and chapters, the rubric table of the book, the instructor's list of
+hints, and the table of what keeps which sentence. With ``--check`` nothing is written: the script
+fails where a file differs from what its card gives. It fails anyway where a sentence is kept by
+nothing, or a check is asked for by no sentence.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from content.chapters import list_required, list_taught
 from labutils.checks.table import WORDS, CheckTable, encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
+from tools.derive.contract import find_gaps, make_contract
 from tools.derive.exercise_pages import (
     describe_points,
     fill_chapter,
@@ -37,6 +39,7 @@ TABLES = Path("labutils/checks/tables")
 STARTERS = Path("exercises/_generated")
 RUBRIC = Path("book/_generated/rubric.md")
 HINTS = Path("solutions/_generated/hints.md")
+CONTRACT = Path("solutions/_generated/contract.md")
 NOTE = "Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`."
 
 
@@ -49,7 +52,12 @@ def main(arguments: list[str] | None = None) -> int:
     if places := find_unfilled():
         print("exercises: fill these places first", *places, sep="\n  ", file=sys.stderr)
         return 1
-    files = make_files(load_exercises())
+    exercises = load_exercises()
+    files = make_files(exercises)
+    # After the files: what a fresh card still has to be given is known from its starter.
+    if gaps := find_gaps(exercises):
+        print("exercises: the contract has gaps", *gaps, sep="\n  ", file=sys.stderr)
+        return 1
     stale = find_stale(files, options.root)
     if options.check:
         for path, reason in stale.items():
@@ -78,6 +86,7 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
             files[path] = fill(text, exercises, chapter).encode()
     files[RUBRIC] = make_rubric(exercises).encode()
     files[HINTS] = make_hints(exercises).encode()
+    files[CONTRACT] = make_contract(exercises, NOTE).encode()
     return files
 
 

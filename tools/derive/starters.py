@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 #: Columns of a code cell that a page shows without scrolling.
 WIDTH = 70
 
+#: Sections of a docstring in which an exercise may ask for less than the library does.
+SECTIONS = ("Convention", "Returns", "Raises", "Examples")
+
 #: A duty of every exercise.
 INPUTS_STAY = "The arguments stay as they are."
 
@@ -91,7 +94,7 @@ def promise_inputs(docstring: str) -> str:
 
 
 def narrow(docstring: str, extras: list[str], asks: Mapping[str, str]) -> str:
-    """Rewrite the Parameters section for an exercise that asks for less than the library does.
+    """Rewrite a docstring for an exercise that asks for less than the library does.
 
     Parameters
     ----------
@@ -100,13 +103,19 @@ def narrow(docstring: str, extras: list[str], asks: Mapping[str, str]) -> str:
     extras : list of str
         Parameters whose entries are left out.
     asks : mapping
-        Parameter to the entry that replaces its own: the type, a line break, the description.
+        Parameter to the entry that replaces its own: the type, a line break, the description. Or
+        the title of a section to the text below it; a section without text is left out.
 
     Raises
     ------
     ValueError
-        If an entry has no parameter of its own: it would be lost, or kept, unseen.
+        If there is no such section, or an entry has no parameter of its own: it would be lost, or
+        kept, unseen.
     """
+    titles = [title for title in asks if title in SECTIONS]
+    for title in titles:
+        docstring = _replace_section(docstring, title, asks[title])
+    asks = {name: words for name, words in asks.items() if name not in titles}
     head, found, rest = docstring.partition("\nParameters\n----------\n")
     section, blank, tail = rest.partition("\n\n")
     entries = re.split(r"\n(?=\S)", section)
@@ -128,3 +137,12 @@ def narrow(docstring: str, extras: list[str], asks: Mapping[str, str]) -> str:
         else:
             kept.append(", ".join(left) + entry[len(", ".join(its_names)) :])
     return head + found + "\n".join(kept) + blank + tail
+
+
+def _replace_section(docstring: str, title: str, text: str) -> str:
+    head, found, rest = docstring.partition(f"\n\n{title}\n{'-' * len(title)}\n")
+    if not found:
+        raise ValueError(f"{title}: expected a section of this title, got none")
+    following = re.search(r"\n\n(?=\S[^\n]*\n-+\n)", rest)
+    tail = rest[following.start() :] if following else ""
+    return head + (found + text if text else "") + tail

@@ -25,6 +25,7 @@ from labutils.checks.kinds import KINDS
 from labutils.checks.table import Raised
 from solutions import QUALITY_POINTS, load_exercises
 from tools import ROOT
+from tools.derive.contract import make_tables as make_contract_tables
 from tools.editions.card_code import find_called, is_answered_by_library
 from tools.editions.mistakes import SEEDS, Measured, measure
 
@@ -94,6 +95,7 @@ def make_pages(root: Path) -> dict[Path, str]:
             chapter, exercises, minutes[chapter.id], read_notes(root, chapter)
         )
     pages[PAGES / "checks.md"] = make_checks(root)
+    pages[PAGES / "contract.md"] = make_contract_page()
     return pages
 
 
@@ -122,6 +124,21 @@ def make_checks(root: Path) -> str:
 |---|---|
 {chr(10).join(rows)}
 """
+
+
+def make_contract_page() -> str:
+    """Return the page that ties every sentence of an exercise to what checks it."""
+    return f"""(page-instructor-contract)=
+# Which check keeps which sentence?
+
+{MADE_BY}
+
+A statement is a contract: the check tests all of it and nothing else. Every sentence of a
+statement and of a starter's docstring has a row. It is kept by gates, visible cases or listed
+mistakes, which are known to fail; or it is *given* (true of every case), or *told* (an
+explanation). What a sentence leaves open may be answered either way.
+
+{make_contract_tables(load_exercises())}"""
 
 
 def read_notes(root: Path, chapter: Chapter) -> str:

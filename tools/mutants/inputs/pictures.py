@@ -97,8 +97,6 @@ def _find_object_centroid(rng: np.random.Generator) -> tuple[Any, ...]:
         areas = sorted((cv2.contourArea(one) for one in outlines), reverse=True)
         if len(areas) > 1 and areas[0] == areas[1] > 0:
             continue  # a tie: the largest is not one of them
-        if rng.random() < 0.2:
-            return (mask > 0,)
         return (mask // 255 * np.uint8(rng.choice([1, 255])),)
 
 
