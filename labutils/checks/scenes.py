@@ -37,9 +37,11 @@ def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[
 
     def is_in_color_mode() -> bool:
         try:
+            # Whoever drew with a renderer of their own may have given this one no scene.
+            renderer.update_scene(data)
             return renderer.render().dtype == np.uint8
         except RuntimeError:
-            return False  # closed, or never given a scene
+            return False  # closed
 
     return (model, data, renderer), (is_in_color_mode,)
 

@@ -40,6 +40,12 @@ FAMILIES: dict[str, Callable[[list[Pair]], Iterator[Relation]]] = {
     "rigid": rigid.propose,
 }
 
+#: So many wrong cases at most are named, one by one.
+_MOST_ODD_CASES = 3
+
+#: A part that is right in fewer cases may be so by accident.
+_MIN_CASES = 2
+
 _SCOPES = {1: "", 2: "In both cases: "}
 
 
@@ -76,13 +82,19 @@ def find_relation(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanatio
 def find_odd_case(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
     """Name the only case that is wrong, or the only one that is right: its label says why.
 
-    The weakest that can be told; parameters as in `find_relation`.
+    The weakest that can be told, after `find_partial`; parameters as in `find_relation`. Two or
+    three wrong cases are named as well, where more are right.
     """
     wrong, right = _sort_cases([pairs for pairs in collect_pairs(table, answers) if pairs])
+    count = len(wrong) + len(right)
     if len(wrong) == 1 < len(right):
         (case,) = wrong
-        text = f"Of {len(right) + 1} cases only this one is wrong: {table.cases[case].label}."
+        text = f"Of {count} cases only this one is wrong: {table.cases[case].label}."
         return Explanation(f"only-wrong:{case + 1}", text)
+    if 1 < len(wrong) <= _MOST_ODD_CASES and len(wrong) < len(right):
+        labels = "; ".join(table.cases[case].label for case in wrong)
+        text = f"Of {count} cases only {len(wrong)} are wrong: {labels}."
+        return Explanation(f"only-wrong:{'+'.join(str(case + 1) for case in wrong)}", text)
     if len(right) == 1 < len(wrong):
         (case,) = right
         text = f"Of {len(wrong) + 1} cases only one is right: {table.cases[case].label}."
@@ -90,9 +102,43 @@ def find_odd_case(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanatio
     return None
 
 
-def _relate_parts(table: CheckTable, parts: list[list[Pair]], scope: str) -> Explanation | None:
-    """Relate every wrong part in the cases given; None where one has no relation of its own."""
-    texts, names, right, seen = [], [], [], set()
+def find_partial(table: CheckTable, answers: tuple[Outcome, ...]) -> Explanation | None:
+    """Tell of several parts what can be told: the relation of some, or which are right.
+
+    Weaker than `find_relation`, whose parameters it has: another part is wrong as well, and nobody
+    knows how.
+    """
+    with np.errstate(all="ignore"):
+        parts = [pairs for pairs in collect_pairs(table, answers) if pairs]
+        if len(parts) < 2:
+            return None
+        if found := _relate_parts(table, parts, "", partly=True):
+            return found
+    shown = [pairs for pairs in parts if not get_kind(pairs[0].part).is_observed]
+    right = [pairs[0].part.name for pairs in shown if all(pair.is_right for pair in pairs)]
+    wrong = [pairs[0].part.name for pairs in shown if not all(pair.is_right for pair in pairs)]
+    if not right or not wrong or len({pair.case for pair in shown[0]}) < _MIN_CASES:
+        return None
+    return Explanation(
+        f"only-part:{'+'.join(wrong)}",
+        f"{_join(right)} agree{'' if len(right) > 1 else 's'} in every case: only {_join(wrong)} "
+        f"{'is' if len(wrong) == 1 else 'are'} wrong.",
+    )
+
+
+def _join(names: list[str]) -> str:
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def _relate_parts(
+    table: CheckTable, parts: list[list[Pair]], scope: str, *, partly: bool = False
+) -> Explanation | None:
+    """Relate every wrong part in the cases given; None where one has no relation of its own.
+
+    With ``partly``, one that has none is told to be wrong, too.
+    """
+    texts, names, right, lost, seen = [], [], [], [], set()
     count = 0
     for pairs in parts:
         part = pairs[0].part
@@ -100,8 +146,11 @@ def _relate_parts(table: CheckTable, parts: list[list[Pair]], scope: str) -> Exp
             right.append(part.name)
             continue
         relation = _relate(pairs)
-        if relation is None:
+        if relation is None and not partly:
             return None
+        if relation is None:
+            lost.append(part.name)
+            continue
         # A cloud and its colors lose the same rows: that is said once.
         if relation.text in seen:
             continue
@@ -114,7 +163,9 @@ def _relate_parts(table: CheckTable, parts: list[list[Pair]], scope: str) -> Exp
     if not texts:
         return None
     scope = scope or _SCOPES.get(count, f"In all {count} cases: ")
-    agree = f" {' and '.join(right)} agree{'' if len(right) > 1 else 's'}." if right else ""
+    agree = f" {_join(right)} agree{'' if len(right) > 1 else 's'}." if right else ""
+    if lost:
+        agree += f" {_join(lost)} {'is' if len(lost) == 1 else 'are'} wrong in another way."
     return Explanation("+".join(names), f"{scope}{'. '.join(texts)}.{agree}")
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -40,11 +41,16 @@ _FUNCTIONS: dict[str, tuple[str, Callable[[np.ndarray], np.ndarray]]] = {
     "cut": ("what is due, cut to whole numbers", np.trunc),
     "floor": ("what is due, rounded down", np.floor),
     "ceil": ("what is due, rounded up", np.ceil),
+    "decimals:1": ("what is due, rounded to one decimal", lambda value: np.round(value, 1)),
+    "decimals:2": ("what is due, rounded to two decimals", lambda value: np.round(value, 2)),
     "square": ("the square of what is due", np.square),
     "root": ("the square root of what is due", np.sqrt),
     "unsigned": ("what is due without its sign", np.abs),
     "reciprocal": ("one divided by what is due", np.reciprocal),
 }
+
+#: Of fewer numbers, smallest and largest say too little.
+_SAMPLE = 8
 
 #: Shifts that have a meaning of their own: half a pixel, one place.
 _SHIFTS = (-1.0, -0.5, 0.5, 1.0)
@@ -66,6 +72,7 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
     yield from _propose_known()
     yield from _propose_fitted(pairs)
     yield from _propose_arguments(pairs)
+    yield from _propose_per_case(pairs)
 
 
 def _propose_known() -> Iterator[Relation]:
@@ -136,6 +143,37 @@ def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
             text = f"what is due, but cut off {word} {limit:.4g}"
             name = f"clipped:{word}:{limit:.4g}"
             yield Relation(name, text, 3.0, _clip(clip, limit), fitted=1)
+
+
+def _propose_per_case(pairs: list[Pair]) -> Iterator[Relation]:
+    """Propose a length of its own in every case, and a stretch of every case to 0 to 1 or 255."""
+    fitted = len(pairs)
+    if all(pair.due.ndim == 1 and pair.due.size > 2 for pair in pairs):
+        yield Relation(
+            "length",
+            "of the right direction, but of another length",
+            3.5,
+            _give_length,
+            fitted=fitted,
+        )
+    for top in (1, 255):
+        if all(
+            pair.yours.size > 2 * _SAMPLE
+            and abs(np.nanmin(pair.yours)) < 1e-6
+            and abs(np.nanmax(pair.yours) - top) < 1e-6 * top
+            for pair in pairs
+        ):
+            text = f"what is due, stretched to 0 to {top} in every case"
+            yield Relation(f"stretched:{top}", text, 3.0, partial(_stretch, top), fitted=2 * fitted)
+
+
+def _give_length(pair: Pair) -> np.ndarray:
+    return pair.due * (np.vdot(pair.due, pair.yours) / np.vdot(pair.due, pair.due))
+
+
+def _stretch(top: int, pair: Pair) -> np.ndarray:
+    low, high = np.nanmin(pair.due), np.nanmax(pair.due)
+    return top * (pair.due.astype(np.float64) - low) / (high - low)
 
 
 def _propose_arguments(pairs: list[Pair]) -> Iterator[Relation]:

@@ -180,7 +180,10 @@ def _list_due_places(pair: Pair, axes: int) -> dict[str, np.ndarray]:
     due = pair.due
     if due.dtype.kind == "f":
         has_nan = np.isnan(due)
-        return {"NaN is due": has_nan.any(axis=-1) if due.ndim > axes else has_nan}
+        found = {"NaN is due": has_nan.any(axis=-1) if due.ndim > axes else has_nan}
+        if due.ndim == axes == 2:
+            found["the largest value of the picture is due"] = due == np.nanmax(due)
+        return found
     if due.dtype == np.uint8 and due.ndim > axes:
         black = (due == 0).all(axis=-1)
         return {"black is due": black, "a color is due": ~black}
