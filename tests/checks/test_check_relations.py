@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import cv2
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge_answers
-from labutils.checks.explain import FAMILIES, find_odd_case, find_relation
+from labutils.checks.explain import FAMILIES, find_odd_case, find_partial, find_relation
 from labutils.checks.kinds import KINDS
 from labutils.checks.table import Case, CheckTable, Outcome, Part, load_table, read_words
 
@@ -54,6 +55,7 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         "number": (Part("angle", kind, "float", atol=1e-4), lambda: rng.uniform(0.2, 0.9, ())),
         "matrix": (Part("K", kind, "float", atol=1e-3), lambda: rng.uniform(20, 90, (3, 3))),
         "pixel": (Part("place", kind, "float", atol=1e-3), lambda: rng.uniform(20, 90, 2)),
+        "vector": (Part("plane", kind, "float", atol=1e-4), lambda: rng.uniform(0.2, 0.9, 4)),
         "rows": (Part("points", kind, "float", atol=1e-4), lambda: rng.normal(size=(30, 3))),
         "cloud": (Part("points", kind, "float", atol=1e-4), lambda: rng.normal(size=(30, 3))),
         "depth": (Part("depth", kind, "float", atol=1e-3), lambda: rng.uniform(1, 6, (9, 14))),
@@ -108,6 +110,9 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         ("depth", lambda a: np.minimum(a, 4), "clipped:above:4"),
         ("depth", lambda a: a / 1000, "scaled:1/1000"),
         ("depth", np.round, "rounded"),
+        ("depth", lambda a: np.round(a, 2), "decimals:2"),
+        ("depth", lambda a: (a - a.min()) / np.ptp(a), "stretched:1"),
+        ("vector", lambda a: a / a[0], "length"),
         ("list", lambda a: a[::-1], "reversed"),
         ("list", np.sort, "sorted"),
         ("flags", lambda a: ~a, "complement"),
@@ -323,6 +328,57 @@ def test_the_only_wrong_case_and_the_only_right_one_are_named() -> None:
     assert found is not None
     assert found.name == "only-right:1"
     assert find_odd_case(table, table.expected) is None
+
+
+def test_two_wrong_cases_of_five_are_named() -> None:
+    part, dues = draw("depth")
+    dues = [*dues, dues[0] + 1, dues[1] + 1]
+    noise = np.random.default_rng(9).normal(size=dues[0].shape)
+    answers = tuple((due + noise if n in (1, 4) else due,) for n, due in enumerate(dues))
+    found = find_odd_case(make_table(part, dues), answers)
+    assert found is not None
+    assert found.name == "only-wrong:2+5"
+    assert found.text == "Of 5 cases only 2 are wrong: case 1; case 4."
+
+
+def make_two_parts() -> tuple[CheckTable, list[tuple[np.ndarray, np.ndarray]]]:
+    """Make a table of an answer with two parts, and its right answers."""
+    (matrix, ones), (points, others) = draw("matrix"), draw("rows")
+    table = make_table(matrix, ones)
+    dues = list(zip(ones, others, strict=True))
+    return replace(table, parts=(matrix, points), expected=tuple(dues)), dues
+
+
+def test_what_is_known_of_one_part_is_told_and_that_the_other_is_wrong() -> None:
+    table, dues = make_two_parts()
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    answers = tuple((K.T, points + noise) for K, points in dues)
+    assert find_relation(table, answers) is None
+    found = find_partial(table, answers)
+    assert found is not None
+    assert found.name == "transposed:K"
+    assert found.text.endswith("K: the transpose of what is due. points is wrong in another way.")
+
+
+def test_of_a_part_that_is_wrong_in_no_known_way_the_others_are_told_to_agree() -> None:
+    table, dues = make_two_parts()
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    found = find_partial(table, tuple((K, points + noise) for K, points in dues))
+    assert found is not None
+    assert found.name == "only-part:points"
+    assert found.text == "K agrees in every case: only points is wrong."
+    assert find_partial(table, table.expected) is None
+
+
+def test_points_whose_distances_change_were_not_turned() -> None:
+    part, dues = draw("rows")
+    points = [(due - MOVE) @ turn("x", 0.7) for due in dues]
+    table = make_table(part, dues, ("points",), [(one,) for one in points])
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    found = find_relation(table, tuple((due + noise,) for due in dues))
+    assert found is not None
+    assert found.name == "not-rigid"
+    assert "the distances between the points have changed" in found.text
 
 
 def test_black_is_a_word_and_not_a_level() -> None:

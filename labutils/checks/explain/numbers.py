@@ -157,14 +157,16 @@ def _propose_per_case(pairs: list[Pair]) -> Iterator[Relation]:
             fitted=fitted,
         )
     for top in (1, 255):
-        if all(
-            pair.yours.size > 2 * _SAMPLE
-            and abs(np.nanmin(pair.yours)) < 1e-6
-            and abs(np.nanmax(pair.yours) - top) < 1e-6 * top
-            for pair in pairs
-        ):
+        if all(_ranges_from_zero_to(top, pair.yours) for pair in pairs):
             text = f"what is due, stretched to 0 to {top} in every case"
             yield Relation(f"stretched:{top}", text, 3.0, partial(_stretch, top), fitted=2 * fitted)
+
+
+def _ranges_from_zero_to(top: int, values: np.ndarray) -> bool:
+    finite = values[np.isfinite(values)]
+    return finite.size > 2 * _SAMPLE and bool(
+        abs(finite.min()) < 1e-6 and abs(finite.max() / top - 1) < 1e-6
+    )
 
 
 def _give_length(pair: Pair) -> np.ndarray:
@@ -172,7 +174,8 @@ def _give_length(pair: Pair) -> np.ndarray:
 
 
 def _stretch(top: int, pair: Pair) -> np.ndarray:
-    low, high = np.nanmin(pair.due), np.nanmax(pair.due)
+    finite = pair.due[np.isfinite(pair.due)]
+    low, high = finite.min(), finite.max()
     return top * (pair.due.astype(np.float64) - low) / (high - low)
 
 

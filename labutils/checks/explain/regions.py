@@ -181,8 +181,9 @@ def _list_due_places(pair: Pair, axes: int) -> dict[str, np.ndarray]:
     if due.dtype.kind == "f":
         has_nan = np.isnan(due)
         found = {"NaN is due": has_nan.any(axis=-1) if due.ndim > axes else has_nan}
-        if due.ndim == axes == 2:
-            found["the largest value of the picture is due"] = due == np.nanmax(due)
+        if due.ndim == axes == 2 and np.isfinite(due).any():
+            largest = due[np.isfinite(due)].max()
+            found["the largest value of the picture is due"] = due == largest
         return found
     if due.dtype == np.uint8 and due.ndim > axes:
         black = (due == 0).all(axis=-1)
