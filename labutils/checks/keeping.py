@@ -27,8 +27,8 @@ def check(name: str, function: object = None) -> Verdict:
     -------
     Verdict
         Shows itself as the last line of a cell; ``print`` it elsewhere. It holds ``passed``,
-        ``misconception``, ``relation``, ``probe``, ``property`` and ``message``. The result is kept in
-        ``labutils-progress.json`` in the working folder.
+        ``misconception``, ``relation``, ``probe``, ``property`` and ``message``. The result is kept
+        in ``labutils-progress.json`` in the working folder.
 
     Raises
     ------

@@ -184,7 +184,7 @@ def test_the_keyboard_is_enough(used: dict[str, Any]) -> None:
 
 
 def test_bad_files_are_refused_with_their_reason_and_change_nothing(used: dict[str, Any]) -> None:
-    reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 4)
+    reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 5)
     refused, taken = used["imports"][: len(reasons)], used["imports"][len(reasons) :]
     assert len(taken) == 2
     for seen, reason in zip(refused, reasons, strict=True):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from labutils.checks.explain.relation import Pair, Predict, Relation
+from labutils.checks.explain.relation import Pair, Predict, Relation, thin
 from labutils.checks.kinds import get_kind
 
 if TYPE_CHECKING:
@@ -69,9 +70,8 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
         return
     if any(pair.due.shape != pair.yours.shape for pair in pairs):
         return
-    yield from _propose_known()
-    yield from _propose_fitted(pairs)
-    yield from _propose_arguments(pairs)
+    for one in (*_propose_known(), *_propose_fitted(pairs), *_propose_arguments(pairs)):
+        yield replace(one, by_row=True)
     yield from _propose_per_case(pairs)
 
 
@@ -114,8 +114,9 @@ def _combine(operation: Callable[[Any, float], Any], get: Get) -> Predict:
 
 def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
     """Propose one factor, one shift and one limit that are read off the answers."""
-    x = np.concatenate([pair.due.astype(np.float64).ravel() for pair in pairs])
-    y = np.concatenate([pair.yours.astype(np.float64).ravel() for pair in pairs])
+    some = [thin(pair) for pair in pairs]
+    x = np.concatenate([pair.due.astype(np.float64).ravel() for pair in some])
+    y = np.concatenate([pair.yours.astype(np.float64).ravel() for pair in some])
     atol = pairs[0].part.atol
     good = np.isfinite(x) & np.isfinite(y) & (np.abs(x) > 20 * atol)
     if not good.any():
@@ -134,9 +135,10 @@ def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
     first = float(y[good][0])
     text = f"{get_kind(pairs[0].part).name_value(first)} everywhere"
     yield Relation(f"constant:{first:.4g}", text, 1.4, _fill(lambda _: first), fitted=1)
+    finite = [pair.yours[np.isfinite(pair.yours)] for pair in pairs]
     for word, limit, clip in (
-        ("above", float(y[good].max()), np.minimum),
-        ("below", float(y[good].min()), np.maximum),
+        ("above", max(float(one.max()) for one in finite if one.size), np.minimum),
+        ("below", min(float(one.min()) for one in finite if one.size), np.maximum),
     ):
         # Where nearly nothing, or nearly all, is cut off there is no limit to speak of.
         if 0.05 < np.mean(clip(x[good], limit) != x[good]) < 0.95:

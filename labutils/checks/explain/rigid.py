@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from labutils.checks.explain.relation import Pair, Relation
+from labutils.checks.explain.relation import Pair, Relation, thin
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -31,6 +31,8 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
             6.0,
             lambda pair: pair.yours,
         )
+    if not all(_describe(thin(pair)) for pair in pairs):
+        return
     words = {_describe(pair) for pair in pairs}
     if len(words) != 1 or not (word := words.pop()):
         return
