@@ -15,7 +15,7 @@ import numpy as np
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import axes, numbers, places, regions, rigid, selections
 from labutils.checks.explain.arguments import find_places
-from labutils.checks.explain.relation import Pair, Relation, choose
+from labutils.checks.explain.relation import Pair, Relation, choose, may_fit
 from labutils.checks.explain.told import Explanation
 from labutils.checks.kinds import get_kind
 
@@ -195,6 +195,8 @@ def _sort_cases(parts: list[list[Pair]]) -> tuple[list[int], list[int]]:
 
 
 def _relate(pairs: list[Pair]) -> Relation | None:
+    if not may_fit(pairs):
+        return None
     kind = get_kind(pairs[0].part)
     proposals = [one for family in kind.relations for one in FAMILIES[family](pairs)]
     return choose([*proposals, *_propose_arguments(pairs)], pairs)

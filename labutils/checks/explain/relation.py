@@ -170,6 +170,11 @@ def fits(relation: Relation, pairs: list[Pair]) -> bool:
     return support >= 2 + relation.fitted
 
 
+def may_fit(pairs: list[Pair]) -> bool:
+    """Tell whether there are values enough for any relation."""
+    return len({pair.case for pair in pairs}) > 1 or pairs[0].due.size >= _SUPPORT_OF_ONE_CASE
+
+
 def _some_rows_refute(relation: Relation, pair: Pair) -> bool:
     some = thin(pair)
     if some is pair:
