@@ -165,12 +165,12 @@ def _find_repair(
     deadline: float,
 ) -> Explanation | None:
     """Find the one change of an argument after which every case agrees."""
-    del answers
-    cases = [
-        (case, due)
-        for case, due in zip(table.cases, table.expected, strict=True)
-        if isinstance(due, tuple) and any(part is not None and part.size for part in due)
-    ]
+    cases = []
+    for case, due, yours in zip(table.cases, table.expected, answers, strict=True):
+        if isinstance(due, tuple) and any(part is not None and part.size for part in due):
+            cases.append((case, due))
+        elif not is_same_outcome(table.parts, due, yours):
+            return None  # no repair of an argument mends an answer that is nothing
     if len(cases) < MIN_CASES:
         return None
     found = []
