@@ -24,6 +24,7 @@ from labutils.checks.kinds import get_kind
 from labutils.checks.progress import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._contract import Duty, asked, given, told
+from solutions._simpler import Simplification, simplify
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -102,6 +103,8 @@ class Exercise:
         What keeps each sentence of its statement and docstring.
     place : int
         Position among the exercises of its chapter.
+    simpler : tuple of Simplification
+        The complications of its cases, each with what takes it away: the most telling first.
     asks : mapping of str to str
         Where the exercise asks for less than the function of the library does: a parameter, and
         its entry in the starter's docstring (the type, a line break, what it is); or a section,
@@ -125,6 +128,7 @@ class Exercise:
     visible: Callable[[], tuple[Case, ...]]
     hidden: Callable[[np.random.Generator], tuple[Case, ...]]
     place: int = 1
+    simpler: tuple[Simplification, ...] = ()
     imports: tuple[str, ...] = ("import numpy as np",)
     asks: Mapping[str, str] = field(default_factory=dict)
     absorbed: tuple[Absorbed, ...] = field(default=())
@@ -227,7 +231,7 @@ class Exercise:
             expected=expected,
             wrong=wrong,
         )
-        return replace(table, matters=self._find_what_matters(table))
+        return replace(table, matters=self._find_what_matters(table), simpler=simplify(self, table))
 
     def _find_what_matters(self, table: CheckTable) -> tuple[str, ...]:
         """Name the arguments, and entries of them, that change the right answer."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 import labutils
 from solutions._cases import make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
+from solutions._simpler import Simplification, put
 
 
 def _answer_with(
@@ -61,6 +63,10 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _get_identity(args: dict[str, Any]) -> np.ndarray:
+    return np.eye(3).reshape(args["cam_xmat"].shape)
+
+
 EXERCISE = Exercise(
     name="camera_to_world",
     title="move points from the camera into the world",
@@ -71,6 +77,17 @@ EXERCISE = Exercise(
     objectives=("5c",),
     reference=labutils.camera_to_world,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "not-turned", "the camera is not turned", lambda a: {"cam_xmat": _get_identity(a)}
+        ),
+        Simplification("at-the-origin", "the camera is at the origin", put(cam_xpos=np.zeros(3))),
+        Simplification(
+            "plain",
+            "the camera is at the origin, not turned",
+            lambda a: {"cam_xpos": np.zeros(3), "cam_xmat": _get_identity(a)},
+        ),
+    ),
     parts=(Part("points", "rows", "float", atol=1e-4, unit="m"),),
     tolerance_reason=(
         "0.1 mm is a hundred times the rounding of float32 within 10 m; every mistake moves points "

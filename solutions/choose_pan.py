@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification, put
 
 
 def choose_pan(u: float, pan: float, fov_y: float, width: int, height: int) -> float:
@@ -88,6 +89,12 @@ EXERCISE = Exercise(
     objectives=("1d",),
     reference=choose_pan,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("straight", "the neck is straight", put(pan=0.0)),
+        Simplification(
+            "in-the-middle", "u is the middle column", lambda a: {"u": (a["width"] - 1) / 2}
+        ),
+    ),
     parts=(Part("pan", "number", "float", atol=2e-5, unit="rad"),),
     tolerance_reason=(
         "a hundredth of a pixel at these focal lengths; half a pixel, the smallest of the "

@@ -8,6 +8,7 @@ import numpy as np
 
 from solutions._cases import make_rotation
 from solutions._model import Case, Exercise, Misconception, Part, asked, given
+from solutions._simpler import Simplification, carry, face_along, move_to_origin
 
 
 def crop_region(
@@ -103,6 +104,12 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (*robots, _make_limit_case(rng, "on the limits"))
 
 
+def _move(args: dict[str, Any], change: Any) -> dict[str, Any]:
+    old = args["T_world_robot"]
+    new = change(old)
+    return {"T_world_robot": new, "points_world": carry(args["points_world"], old, new)}
+
+
 EXERCISE = Exercise(
     name="crop_region",
     title="keep what lies in a box before the robot",
@@ -113,6 +120,12 @@ EXERCISE = Exercise(
     objectives=("5c", "6b"),
     reference=crop_region,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("not-turned", "the robot is not turned", lambda a: _move(a, face_along)),
+        Simplification(
+            "at-the-origin", "the robot is at the origin", lambda a: _move(a, move_to_origin)
+        ),
+    ),
     parts=(Part("points", "cloud", "float", atol=1e-4, unit="m"),),
     tolerance_reason=(
         "0.1 mm is far above rounding, in single precision too; every mistake is off by centimeters"

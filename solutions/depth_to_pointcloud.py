@@ -9,6 +9,7 @@ import numpy as np
 import labutils
 from solutions._cases import make_depth, make_rgb, spoil_depth
 from solutions._model import Case, Exercise, Misconception, Part, asked, told
+from solutions._simpler import Simplification
 
 
 def _answer_with(
@@ -99,6 +100,13 @@ EXERCISE = Exercise(
     objectives=("3c", "5a", "5b", "5e"),
     reference=labutils.depth_to_pointcloud,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "one-meter",
+            "every depth is 1 m",
+            lambda a: {"depth_metric": np.ones_like(a["depth_metric"])},
+        ),
+    ),
     parts=(
         Part("points", "cloud", "float", atol=1e-4, unit="m"),
         Part(

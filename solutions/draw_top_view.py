@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 
 def draw_top_view(
@@ -103,6 +104,44 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return tuple(_make_case(rng, f"cloud {number}") for number in range(3))
 
 
+def _place(args: dict[str, Any]) -> np.ndarray:
+    """Return the row and column of every point."""
+    return np.floor((args["high"] - args["points_world"][:, :2]) * args["pixels_per_meter"])
+
+
+def _keep(args: dict[str, Any], kept: np.ndarray) -> dict[str, Any]:
+    return {"points_world": args["points_world"][kept], "colors": args["colors"][kept]}
+
+
+def _keep_one_each(args: dict[str, Any]) -> dict[str, Any]:
+    _, first = np.unique(_place(args), axis=0, return_index=True)
+    return _keep(args, np.sort(first))
+
+
+def _keep_inside(args: dict[str, Any]) -> dict[str, Any]:
+    place, size = _place(args), np.rint((args["high"] - args["low"]) * args["pixels_per_meter"])
+    return _keep(args, ((place >= 0) & (place < size)).all(axis=1))
+
+
+def _raise(args: dict[str, Any]) -> dict[str, Any]:
+    points = args["points_world"]
+    points[:, 2] += 1 - points[:, 2].min(initial=0)
+    return {"points_world": points}
+
+
+def _share_limits(args: dict[str, Any]) -> dict[str, Any]:
+    high, points = args["high"], args["points_world"]
+    shift = np.array([0, high[0] - high[1]])
+    points[:, :2] += shift
+    return {"points_world": points, "low": args["low"] + shift, "high": high + shift}
+
+
+def _move_up(args: dict[str, Any]) -> dict[str, Any]:
+    points = args["points_world"]
+    points[:, :2] = args["high"] - (_place(args) + 0.3) / args["pixels_per_meter"]
+    return {"points_world": points}
+
+
 EXERCISE = Exercise(
     name="draw_top_view",
     title="draw the cloud as a map",
@@ -113,6 +152,18 @@ EXERCISE = Exercise(
     objectives=("6a", "6b"),
     reference=draw_top_view,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("one-each", "no two points share a pixel", _keep_one_each),
+        Simplification("inside", "all points lie in the map", _keep_inside),
+        Simplification("heights", "all heights are above 0", _raise),
+        Simplification("same-limits", "the limits in x and y are the same", _share_limits),
+        Simplification(
+            "in-the-corner", "every point lies near its pixel's upper left corner", _move_up
+        ),
+        Simplification(
+            "no-full-color", "no color is full (1)", lambda a: {"colors": 0.9 * a["colors"]}
+        ),
+    ),
     parts=(Part("picture", "rgb", "uint8", atol=1.0),),
     tolerance_reason="one level of 255: rounding to the nearest or down makes no difference",
     misconceptions=(

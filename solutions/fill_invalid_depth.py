@@ -9,6 +9,7 @@ import numpy as np
 
 from solutions._cases import make_depth, spoil_depth
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification, is_valid
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -101,6 +102,25 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _close_border(args: dict[str, Any]) -> dict[str, Any]:
+    depth = args["depth_metric"]
+    rim = np.ones(depth.shape, dtype=bool)
+    rim[2:-2, 2:-2] = False
+    valid = is_valid(depth)
+    depth[rim & ~valid] = np.median(depth[valid])
+    return {"depth_metric": depth}
+
+
+def _put(args: dict[str, Any], value: float) -> dict[str, Any]:
+    depth = args["depth_metric"]
+    return {"depth_metric": np.where(is_valid(depth), depth, np.float32(value))}
+
+
+def _flatten(args: dict[str, Any]) -> dict[str, Any]:
+    depth = args["depth_metric"]
+    return {"depth_metric": np.where(is_valid(depth), np.float32(1.5), depth)}
+
+
 EXERCISE = Exercise(
     name="fill_invalid_depth",
     title="fill the holes of a depth image",
@@ -111,6 +131,17 @@ EXERCISE = Exercise(
     objectives=("3d",),
     reference=fill_invalid_depth,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("no-hole-at-border", "no hole touches the border", _close_border),
+        Simplification("zeros", "every invalid pixel is 0", lambda a: _put(a, 0.0)),
+        Simplification("nan", "every invalid pixel is NaN", lambda a: _put(a, np.nan)),
+        Simplification(
+            "millimeters",
+            "all depths are whole millimeters",
+            lambda a: {"depth_metric": np.round(a["depth_metric"], 3)},
+        ),
+        Simplification("even", "all valid depths are the same", _flatten),
+    ),
     parts=(Part("depth", "depth", "float", atol=1e-5, unit="m"),),
     tolerance_reason=(
         "filled depths are copies, so only rounding may differ; neighboring depths of one surface "

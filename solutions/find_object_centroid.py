@@ -10,6 +10,7 @@ import numpy as np
 import labutils
 from solutions._cases import make_mask
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 
 def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
@@ -83,6 +84,21 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _keep_largest(args: dict[str, Any]) -> dict[str, Any]:
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(args["mask"])
+    largest = 1 + np.argmax(stats[1:, cv2.CC_STAT_AREA]) if count > 1 else 0
+    return {"mask": np.where(labels == largest, args["mask"], 0).astype(np.uint8)}
+
+
+def _fill_box(args: dict[str, Any]) -> dict[str, Any]:
+    mask = _keep_largest(args)["mask"]
+    left, top, wide, high = cv2.boundingRect(mask)
+    filled = np.zeros_like(mask)
+    if min(wide, high) > 1:
+        filled[top : top + high, left : left + wide] = mask.max()
+    return {"mask": filled}
+
+
 EXERCISE = Exercise(
     name="find_object_centroid",
     title="find the center of the largest object",
@@ -93,6 +109,10 @@ EXERCISE = Exercise(
     objectives=("4d",),
     reference=labutils.find_object_centroid,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("one-region", "there is one region only", _keep_largest),
+        Simplification("rectangle", "the object is a rectangle", _fill_box),
+    ),
     parts=(
         Part(
             "centroid",

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 #: Less is no movement, in radians.
 _STILL = 0.001
@@ -144,6 +145,11 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _turn_far(pans: np.ndarray) -> np.ndarray:
+    steps = np.diff(pans, prepend=pans[:1])
+    return np.cumsum(np.where(np.abs(steps) > 0.001, 0.1 + np.abs(steps), 0.0))
+
+
 EXERCISE = Exercise(
     name="find_stale_frames",
     title="find the pictures that show the pose before",
@@ -154,6 +160,18 @@ EXERCISE = Exercise(
     objectives=("1c",),
     reference=find_stale_frames,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "large-turns",
+            "the neck turns by 0.1 rad and more, or not at all",
+            lambda a: {"pans": _turn_far(a["pans"])},
+        ),
+        Simplification(
+            "turns-always",
+            "the neck turns before every picture",
+            lambda a: {"pans": 0.2 * np.arange(len(a["pans"]))},
+        ),
+    ),
     parts=(Part("stale", "flags", "bool"),),
     tolerance_reason="none: a picture is stale or it is not",
     misconceptions=(

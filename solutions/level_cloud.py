@@ -8,6 +8,7 @@ import numpy as np
 
 from solutions._cases import make_rotation
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 #: Points this close to the plane belong to the table, in meters.
 _TABLE = 0.01
@@ -125,6 +126,30 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return _make_cases(rng, tuple(f"table {number}" for number in range(5)))
 
 
+def _measure_heights(points: np.ndarray) -> np.ndarray:
+    plane, _ = level_cloud(points)
+    return np.asarray(points @ plane[:3] + plane[3])
+
+
+def _keep_table(args: dict[str, Any]) -> dict[str, Any]:
+    points = args["points"]
+    return {"points": points[np.abs(_measure_heights(points)) < 0.01]}
+
+
+def _keep_far(args: dict[str, Any]) -> dict[str, Any]:
+    points = args["points"]
+    height = np.abs(_measure_heights(points))
+    return {"points": points[(height < 0.01) | (height > 0.06)]}
+
+
+def _flatten(args: dict[str, Any]) -> dict[str, Any]:
+    points = args["points"]
+    plane, _ = level_cloud(points)
+    height = _measure_heights(points)
+    height[np.abs(height) > 0.01] = 0  # the others stay where they are
+    return {"points": points - height[:, None] * plane[:3]}
+
+
 EXERCISE = Exercise(
     name="level_cloud",
     title="find the table and level the cloud",
@@ -135,6 +160,11 @@ EXERCISE = Exercise(
     objectives=("5c", "5d"),
     reference=level_cloud,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("table-only", "there are no points but the table's", _keep_table),
+        Simplification("flat", "the table is perfectly flat", _flatten),
+        Simplification("no-clutter", "nothing lies less than 60 mm above the table", _keep_far),
+    ),
     parts=(
         Part("plane", "vector", "float", atol=2e-4),
         Part("leveled", "rows", "float", atol=2e-4, unit="m"),

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification, is_valid
 
 #: Pixels of the mask this far from its median depth see something else, in meters.
 _SAME_OBJECT = 0.05
@@ -130,6 +131,36 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (*boards, *_make_limit_cases(rng))
 
 
+def _find_object(args: dict[str, Any]) -> np.ndarray:
+    """Mark the pixels that are measured."""
+    depth = args["depth_metric"]
+    inside = (args["mask"] > 0) & is_valid(depth)
+    return np.asarray(inside & (np.abs(depth - np.median(depth[inside])) <= 0.05))
+
+
+def _fit_mask(args: dict[str, Any]) -> dict[str, Any]:
+    return {"mask": np.where(_find_object(args), 255, 0).astype(np.uint8)}
+
+
+def _flatten(args: dict[str, Any]) -> dict[str, Any]:
+    depth, seen = args["depth_metric"], _find_object(args)
+    depth[seen] = np.median(depth[seen])
+    return {"depth_metric": depth}
+
+
+def _aim(args: dict[str, Any]) -> dict[str, Any]:
+    K = args["K"]
+    rows, columns = np.nonzero(_find_object(args))
+    K[:2, 2] = (columns.min() + columns.max()) / 2, (rows.min() + rows.max()) / 2
+    return {"K": K}
+
+
+def _fill_picture(args: dict[str, Any]) -> dict[str, Any]:
+    depth, seen = args["depth_metric"], _find_object(args)
+    depth[~seen] = np.median(depth[seen])
+    return {"depth_metric": depth, "mask": np.full_like(args["mask"], 255)}
+
+
 EXERCISE = Exercise(
     name="measure_object_size",
     title="measure how large an object really is",
@@ -140,6 +171,12 @@ EXERCISE = Exercise(
     objectives=("5a", "5d", "5e"),
     reference=measure_object_size,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("mask-fits", "no pixel of the mask sees the wall", _fit_mask),
+        Simplification("flat", "the side has the same depth everywhere", _flatten),
+        Simplification("centered-object", "the object is in the middle of the picture", _aim),
+        Simplification("fills-the-picture", "the object fills the picture", _fill_picture),
+    ),
     parts=(Part("size", "vector", "float", atol=1e-4, unit="m"),),
     tolerance_reason="0.1 mm is far above rounding, and a hundredth of what one pixel covers",
     misconceptions=(

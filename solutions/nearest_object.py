@@ -8,6 +8,7 @@ import numpy as np
 
 from solutions._cases import make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
+from solutions._simpler import Simplification, face_along, is_valid, move_to_origin, put
 
 
 def nearest_object(
@@ -137,6 +138,25 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _flatten(args: dict[str, Any]) -> dict[str, Any]:
+    depth, labels = args["depth_metric"], args["labels"]
+    for label in np.unique(labels):
+        seen = is_valid(depth) & (labels == label)
+        if seen.any():
+            depth[seen] = np.median(depth[seen])
+    return {"depth_metric": depth}
+
+
+def _number_anew(args: dict[str, Any]) -> dict[str, Any]:
+    nearest, _ = nearest_object(**args)
+    labels = args["labels"]
+    if nearest is None:
+        return {}
+    one, other = labels == nearest, labels == 1
+    labels[one], labels[other] = 1, nearest
+    return {"labels": labels}
+
+
 EXERCISE = Exercise(
     name="nearest_object",
     title="choose the nearest object that the hand can take",
@@ -147,6 +167,21 @@ EXERCISE = Exercise(
     objectives=("4e", "5c"),
     reference=nearest_object,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "not-turned",
+            "the camera is not turned",
+            lambda a: {"T_world_cam": face_along(a["T_world_cam"])},
+        ),
+        Simplification(
+            "at-the-origin",
+            "the camera is at the origin",
+            lambda a: {"T_world_cam": move_to_origin(a["T_world_cam"])},
+        ),
+        Simplification("even-depth", "every object has the same depth everywhere", _flatten),
+        Simplification("label-1", "the nearest object has the label 1", _number_anew),
+        Simplification("large-hand", "the hand is large enough for all", put(max_width=9.0)),
+    ),
     parts=(
         Part("label", "choice", "int", nullable=True, note="None stands for: no object fits"),
         Part(

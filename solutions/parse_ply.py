@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 
 def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
@@ -110,6 +111,19 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _write_plainly(args: dict[str, Any]) -> dict[str, Any]:
+    points, colors = parse_ply(args["text"])
+    names = ["float x", "float y", "float z"]
+    rows = points
+    if colors is not None:
+        names += ["uchar red", "uchar green", "uchar blue"]
+        rows = np.column_stack([points, np.rint(255 * colors)])
+    lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+    lines += [f"property {name}" for name in names] + ["end_header"]
+    lines += [" ".join(f"{number:g}" for number in row) for row in rows]
+    return {"text": "\n".join(lines) + "\n"}
+
+
 EXERCISE = Exercise(
     name="parse_ply",
     title="read a cloud back from its file",
@@ -120,6 +134,13 @@ EXERCISE = Exercise(
     objectives=("6d",),
     reference=parse_ply,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "plain",
+            "the lines of the header stand in the usual order, without others",
+            _write_plainly,
+        ),
+    ),
     parts=(
         Part("points", "cloud", "float", atol=1e-5, unit="m"),
         Part(

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 import labutils
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
+from solutions._simpler import Simplification
 
 
 def _answer_with(
@@ -65,6 +68,13 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 _ONE_FORMULA = "a pixel is converted by one formula only"
 _NOTHING_DONE = "nothing is computed, so nothing else can go wrong"
 
+
+def _keep_inside(args: dict[str, Any]) -> dict[str, Any]:
+    raw = args["depth_raw"]
+    outside = (raw <= 0) | (raw >= 1)
+    return {"depth_raw": np.where(outside, np.float32(0.5), raw)}
+
+
 EXERCISE = Exercise(
     name="process_depth",
     title="turn window depth into meters",
@@ -75,6 +85,14 @@ EXERCISE = Exercise(
     objectives=("3a", "3b"),
     reference=labutils.process_depth,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("inside", "every value lies inside 0 to 1", _keep_inside),
+        Simplification(
+            "known",
+            "no value is NaN",
+            lambda a: {"depth_raw": np.nan_to_num(a["depth_raw"], nan=0.5)},
+        ),
+    ),
     parts=(Part("depth", "depth", "float", atol=1e-3, unit="m", low="near", high="far"),),
     tolerance_reason=(
         "one millimeter: far from the near plane, float32 arithmetic on a hyperbola loses about "

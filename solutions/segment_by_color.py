@@ -10,6 +10,7 @@ import numpy as np
 import labutils
 from solutions._cases import hsv_to_rgb, make_color_scene
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
+from solutions._simpler import Simplification
 
 Color = tuple[int, int, int]
 
@@ -103,6 +104,19 @@ def _make_patches(
 
 _NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"
 
+
+def _smooth(args: dict[str, Any]) -> dict[str, Any]:
+    """Paint large squares: opening and closing leave them as they are."""
+    rgb = args["rgb_image"]
+    coarse = cv2.resize(
+        rgb,
+        (max(rgb.shape[1] // 10, 1), max(rgb.shape[0] // 10, 1)),
+        interpolation=cv2.INTER_NEAREST,
+    )
+    large = np.repeat(np.repeat(coarse, 10, axis=0), 10, axis=1)
+    return {"rgb_image": large}
+
+
 EXERCISE = Exercise(
     name="segment_by_color",
     title="mark the pixels of one color",
@@ -113,6 +127,7 @@ EXERCISE = Exercise(
     objectives=("4a", "4b", "4c"),
     reference=labutils.segment_by_color,
     answer_with=_answer_with,
+    simpler=(Simplification("no-specks", "there is no speck and no hole", _smooth),),
     parts=(Part("mask", "mask", "uint8", atol=0, share=0.001, values=(0, 255)),),
     tolerance_reason=(
         "one pixel in a thousand: conversions of one's own may round a hue differently at a limit; "

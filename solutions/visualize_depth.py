@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import cv2
 import numpy as np
 
 import labutils
 from solutions._cases import make_depth, spoil_depth
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
+from solutions._simpler import Simplification
 
 
 def _answer_with(
@@ -67,6 +70,13 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 
 _ONE_BLUE = "every pixel is the first or second blue of the map, so the scale does not show"
 
+
+def _make_positive(args: dict[str, Any]) -> dict[str, Any]:
+    depth = args["depth_metric"]
+    good = np.isfinite(depth) & (depth > 0)
+    return {"depth_metric": np.where(good, depth, np.median(depth[good]))}
+
+
 EXERCISE = Exercise(
     name="visualize_depth",
     title="color a depth image, blue close and red far",
@@ -77,6 +87,19 @@ EXERCISE = Exercise(
     objectives=("3d", "3e"),
     reference=labutils.visualize_depth,
     answer_with=_answer_with,
+    simpler=(
+        Simplification(
+            "within",
+            "no depth is beyond max_depth",
+            lambda a: {
+                "max_depth": 1.001
+                * float(
+                    np.max(a["depth_metric"], where=np.isfinite(a["depth_metric"]), initial=0.5)
+                )
+            },
+        ),
+        Simplification("all-positive", "every depth is finite and positive", _make_positive),
+    ),
     parts=(Part("picture", "mapped", "uint8", atol=1.01, unit="levels of 255"),),
     tolerance_reason=(
         "one level of 255: rounding up or down is free. COLORMAP_TURBO, COLORMAP_JET and a "
@@ -141,7 +164,7 @@ EXERCISE = Exercise(
             "mistake own-maximum",
         ),
         asked("any-map", "Any map from blue to red will do", "value"),
-        asked("even", "The scale is even", "mistake own-maximum", "case an even ramp"),
+        asked("even-steps", "Equal steps in depth", "value", "mistake own-maximum"),
         told("measurements", "A reader takes colors for measurements"),
         asked(
             "black",

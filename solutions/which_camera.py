@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions._simpler import Simplification
 
 
 def which_camera(
@@ -106,6 +107,14 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (*cases, _make_alike(rng, "two that are nearly alike"))
 
 
+def _find_exactly(args: dict[str, Any]) -> dict[str, Any]:
+    camera, _ = which_camera(**args)
+    f = args["height"] / 2 / np.tan(args["fovs"][camera] / 2)
+    middle = (np.array([args["width"], args["height"]]) - 1) / 2
+    points = args["points"]
+    return {"pixels": f * points[:, :2] / points[:, 2:] + middle}
+
+
 EXERCISE = Exercise(
     name="which_camera",
     title="tell which camera took the picture",
@@ -116,6 +125,12 @@ EXERCISE = Exercise(
     objectives=("2a", "2b", "2e"),
     reference=which_camera,
     answer_with=_answer_with,
+    simpler=(
+        Simplification("no-noise", "the pixels are found without noise", _find_exactly),
+        Simplification(
+            "sorted", "the fields of view are sorted", lambda a: {"fovs": np.sort(a["fovs"])}
+        ),
+    ),
     parts=(
         Part("camera", "choice", "int"),
         Part("error_px", "number", "float", atol=5e-3, unit="px"),

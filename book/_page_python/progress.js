@@ -11,6 +11,7 @@
   const FILE_NAME = "labutils-progress.json";
   const VERSION = 1;
   const MAX_HINTS = 3; // the same limits as in labutils/checks/progress.py
+  const COUNTED = ["mistakes", "relations", "probes"]; // older files have only the first
   const MAX_FILE = 1_000_000; // characters; a file of ours has a few thousand
 
   const remembered = new Map(); // this tab's own, where the browser keeps nothing
@@ -77,10 +78,12 @@
       item.hints <= MAX_HINTS &&
       (item.last_property === null || typeof item.last_property === "string") &&
       isObject(item.mistakes) &&
-      Object.values(item.mistakes).every(isCount);
+      COUNTED.every((kind) => isObject(item[kind] ?? {})) &&
+      COUNTED.every((kind) => Object.values(item[kind] ?? {}).every(isCount));
     if (!isRecord) throw new Error(`what it says of ${JSON.stringify(name)} is no record`);
-    const { passed, attempts, hints, last_property, mistakes } = item;
-    return { passed, attempts, hints, last_property, mistakes: { ...mistakes } };
+    const { passed, attempts, hints, last_property } = item;
+    const counts = COUNTED.map((kind) => [kind, { ...item[kind] }]);
+    return { passed, attempts, hints, last_property, ...Object.fromEntries(counts) };
   }
 
   /** Write records as the library does: names in order, indented by one. */
@@ -92,16 +95,19 @@
 
   /** Join two records of one exercise: nothing that was reached gets lost. */
   function mergeRecord(a, b) {
-    const mistakes = { ...a.mistakes };
-    for (const [name, count] of Object.entries(b.mistakes)) {
-      mistakes[name] = Math.max(count, mistakes[name] ?? 0);
+    const merged = {};
+    for (const kind of COUNTED) {
+      merged[kind] = { ...a[kind] };
+      for (const [name, count] of Object.entries(b[kind])) {
+        merged[kind][name] = Math.max(count, merged[kind][name] ?? 0);
+      }
     }
     return {
       passed: a.passed || b.passed,
       attempts: Math.max(a.attempts, b.attempts),
       hints: Math.max(a.hints, b.hints),
       last_property: (b.attempts >= a.attempts ? b : a).last_property,
-      mistakes,
+      ...merged,
     };
   }
 
@@ -127,7 +133,7 @@
   function countHint(name) {
     const records = load();
     const empty = { passed: false, attempts: 0, hints: 0, last_property: null, mistakes: {} };
-    const record = records.get(name) ?? empty;
+    const record = records.get(name) ?? parseRecord(name, empty);
     record.hints = Math.min(record.hints + 1, MAX_HINTS);
     merge(new Map([[name, record]]));
     return record.hints;

@@ -22,7 +22,8 @@ def rank_cameras(model, data, point_world):
     point_world : ndarray, float64, (3,)
         A point in the world, meters.
 
-    The arguments stay as they are.
+    The arguments stay as they are. What follows from the state in
+    `data` may be brought up to date.
 
     Returns
     -------

@@ -25,7 +25,8 @@ def render_camera(model, data, renderer, camera_name):
     camera_name : str
         Name of a camera of the model.
 
-    The arguments stay as they are.
+    The arguments stay as they are. What follows from the state in
+    `data` may be brought up to date.
 
     Returns
     -------

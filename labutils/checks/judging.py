@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from labutils.checks.calls import find_call_problem
 from labutils.checks.compare import align_rows
-from labutils.checks.explain import find_odd_case, find_relation
+from labutils.checks.explain import Differences
 from labutils.checks.explain.probes import probe
 from labutils.checks.explain.told import Explanation
 from labutils.checks.gates import Failure, find_failure
@@ -120,13 +120,14 @@ def judge_answers(
     verdict = _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
     if made or failure.gate == "runs":
         return verdict
-    # The strongest that holds: a relation, what a probe shows, the odd case.
-    relation = find_relation(table, answers)
+    # The strongest that holds: a relation, what a probe shows, that of a part, the odd case.
+    differences = Differences(table, answers)
+    relation = differences.find_relation()
     shown = None
     if relation is None:
         shown = _tell_changed(changed) if changed else _probe(table, answers, function)
     if relation is None and shown is None:
-        relation = find_odd_case(table, answers)
+        relation = differences.find_partial() or differences.find_odd_case()
     seen = tuple(one.say() for one in (relation, shown) if one)
     return replace(
         verdict,

@@ -27,8 +27,8 @@ def check(name: str, function: object = None) -> Verdict:
     -------
     Verdict
         Shows itself as the last line of a cell; ``print`` it elsewhere. It holds ``passed``,
-        ``misconception``, ``property`` and ``message``. The result is kept in
-        ``labutils-progress.json`` in the working folder.
+        ``misconception``, ``relation``, ``probe``, ``property`` and ``message``. The result is kept
+        in ``labutils-progress.json`` in the working folder.
 
     Raises
     ------
@@ -62,9 +62,13 @@ def _keep(verdict: Verdict) -> Verdict:
     record.attempts += 1
     record.passed = record.passed or verdict.passed
     record.last_property = verdict.failed_gate
-    if verdict.misconception:
-        count = record.mistakes.get(verdict.misconception, 0)
-        record.mistakes[verdict.misconception] = count + 1
+    for name, counts in (
+        (verdict.misconception, record.mistakes),
+        (verdict.relation, record.relations),
+        (verdict.probe, record.probes),
+    ):
+        if name:
+            counts[name] = counts.get(name, 0) + 1
     notices = _save(progress)
     if not notices:
         return verdict

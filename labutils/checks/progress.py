@@ -23,13 +23,15 @@ MAX_HINTS = 3
 
 @dataclass
 class Record:
-    """What is kept of one exercise."""
+    """What is kept of one exercise: counts of what was recognized or seen, by its short name."""
 
     passed: bool = False
     attempts: int = 0
     hints: int = 0
     last_property: str | None = None
     mistakes: dict[str, int] = field(default_factory=dict)
+    relations: dict[str, int] = field(default_factory=dict)
+    probes: dict[str, int] = field(default_factory=dict)
 
 
 @dataclass
@@ -67,8 +69,13 @@ def _read_record(item: dict[str, Any]) -> Record:
         hints=item["hints"],
         last_property=item["last_property"],
         mistakes=dict(item["mistakes"]),
+        # Files of the first release have neither.
+        relations=dict(item.get("relations", {})),
+        probes=dict(item.get("probes", {})),
     )
+    counts = [*record.mistakes.values(), *record.relations.values(), *record.probes.values()]
     kinds = (
+        all(isinstance(count, int) for count in counts),
         isinstance(record.passed, bool),
         isinstance(record.attempts, int),
         isinstance(record.hints, int) and 0 <= record.hints <= MAX_HINTS,

@@ -8,7 +8,7 @@ file of words and one array file per exercise.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -114,6 +114,20 @@ class Part:
 
 
 @dataclass(frozen=True)
+class Simpler:
+    """Cases without one complication: its name, "words" that follow "as soon as", the cases.
+
+    ``of`` are the numbers of the cases that they were made from.
+    """
+
+    name: str
+    words: str
+    of: tuple[int, ...]
+    cases: tuple[Case, ...]
+    expected: tuple[Outcome, ...]
+
+
+@dataclass(frozen=True)
 class CheckTable:
     """Everything `check` needs for one exercise."""
 
@@ -136,6 +150,19 @@ class CheckTable:
     links: dict[str, str] = field(default_factory=dict)
     #: The arguments, and entries of them, that make a difference: probes ask for no others.
     matters: tuple[str, ...] = ()
+    #: Simpler cases, for whoever is wrong: tried in this order.
+    simpler: tuple[Simpler, ...] = ()
+
+    def of_cases(self, numbers: tuple[int, ...]) -> CheckTable:
+        """Return a table of some of the cases, without known mistakes."""
+        cases = tuple(self.cases[number] for number in numbers)
+        expected = tuple(self.expected[number] for number in numbers)
+        return replace(self, cases=cases, expected=expected, wrong={}, simpler=())
+
+    def with_simpler(self, simpler: Simpler) -> CheckTable:
+        """Return a table of simpler cases in place of its own."""
+        cases, expected = simpler.cases, simpler.expected
+        return replace(self, cases=cases, expected=expected, wrong={}, simpler=())
 
     @property
     def signature(self) -> str:
@@ -196,6 +223,16 @@ def load_table(name: str, folder: Path = TABLES) -> CheckTable:
         wrong={tuple(item["made"]): outcomes(item["answers"]) for item in words["wrong"]},
         links=dict(words["links"]),
         matters=tuple(words["matters"]),
+        simpler=tuple(
+            Simpler(
+                item["name"],
+                item["words"],
+                tuple(item["of"]),
+                tuple(Case("", _decode(args, arrays)) for args in item["cases"]),
+                outcomes(item["expected"]),
+            )
+            for item in words["simpler"]
+        ),
     )
 
 

@@ -19,7 +19,14 @@ from labutils.checks.table import read_words
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = "exercises/step3_depth"
 PACKED = ROOT / "_build" / "page_python" / "python"
-SOLVED = Record(passed=True, attempts=3, hints=1, mistakes={"linear": 2})
+SOLVED = Record(
+    passed=True,
+    attempts=3,
+    hints=1,
+    mistakes={"linear": 2},
+    relations={"scaled:1000": 1},
+    probes={"no-effect:far": 2},
+)
 CDN = "https://cdn.jsdelivr.net/pyodide/v314.0.7/full/"
 
 
@@ -48,6 +55,7 @@ def imports(tmp_path_factory: pytest.TempPathFactory) -> Path:
             json.dumps({"version": 1, "exercises": {"x": record | {"hints": 4}}}),
             json.dumps({"version": 1, "exercises": {"x": record | {"passed": 1}}}),
             json.dumps({"version": 1, "exercises": {"x": record | {"mistakes": {"a": "b"}}}}),
+            json.dumps({"version": 1, "exercises": {"x": record | {"probes": {"a": "b"}}}}),
         ]
     ):
         bad.append(folder / f"bad{number}.json")
@@ -176,7 +184,7 @@ def test_the_keyboard_is_enough(used: dict[str, Any]) -> None:
 
 
 def test_bad_files_are_refused_with_their_reason_and_change_nothing(used: dict[str, Any]) -> None:
-    reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 4)
+    reasons = ("no JSON", 'no "exercises"', "version is not 1", *["is no record"] * 5)
     refused, taken = used["imports"][: len(reasons)], used["imports"][len(reasons) :]
     assert len(taken) == 2
     for seen, reason in zip(refused, reasons, strict=True):
@@ -194,6 +202,8 @@ def test_an_import_adds_and_loses_nothing(used: dict[str, Any], tmp_path: Path) 
     records = read_exported(first["exported"], tmp_path)
     assert records["process_depth"].passed
     assert records["process_depth"].mistakes["linear"] == 2
+    assert records["process_depth"].relations["scaled:1000"] == 1
+    assert records["process_depth"].probes["no-effect:far"] == 2
     assert records["render_camera"].passed
     kept = used["names"][1]
     assert records[kept] == before[kept]

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge
+from labutils.checks.calls import collect_answers
+from labutils.checks.compare import is_same_outcome
 from labutils.checks.explain import probes
 from labutils.checks.explain.arguments import find_places
 from labutils.checks.table import load_table, read_words
@@ -91,6 +93,55 @@ def test_width_taken_for_height_is_named() -> None:
     found, message = look("choose_pan", choose_pan)
     assert found == "repair:swap:width:height"
     assert "With width and height exchanged" in message
+
+
+def test_the_complication_without_which_it_is_right_is_named() -> None:
+    def nearest_object(
+        labels: Array, depth_metric: Array, K: Array, T_world_cam: Array, max_width: float
+    ) -> Any:
+        right: Any = load_exercises()["nearest_object"].reference
+        label, place = right(labels, depth_metric, K, T_world_cam, max_width)
+        # Turned the other way: wrong wherever the camera is turned.
+        return label, None if place is None else place + T_world_cam[:3, :3].T[0] - np.eye(3)[0]
+
+    found, message = look("nearest_object", nearest_object)
+    assert found == "simpler:not-turned"
+    assert "As soon as the camera is not turned, your answer is right." in message
+
+
+def test_a_complication_is_not_blamed_where_a_case_without_it_is_wrong() -> None:
+    def fill_invalid_depth(depth_metric: Array) -> Array:
+        right: Any = load_exercises()["fill_invalid_depth"].reference
+        return np.asarray(
+            right(depth_metric)
+            + 0.1 * np.sin(np.arange(depth_metric.size)).reshape(depth_metric.shape)
+        )
+
+    assert look("fill_invalid_depth", fill_invalid_depth)[0] is None
+
+
+@pytest.mark.parametrize("name", list(read_words()))
+def test_the_reference_answers_every_simpler_case_as_the_table_says(name: str) -> None:
+    table = load_table(name)
+    for simpler in table.simpler:
+        plain = table.with_simpler(simpler)
+        answers = collect_answers(plain, load_exercises()[name].reference)
+        for due, yours in zip(plain.expected, answers, strict=True):
+            assert is_same_outcome(table.parts, due, yours), simpler.name
+        assert len({*simpler.of}) == len(simpler.cases) > 0
+
+
+def test_no_repair_is_told_where_nothing_was_answered() -> None:
+    def nearest_object(
+        labels: Array, depth_metric: Array, K: Array, T_world_cam: Array, max_width: float
+    ) -> Any:
+        right: Any = load_exercises()["nearest_object"].reference
+        found = right(labels, depth_metric, K, T_world_cam, max_width)
+        return None if found[0] is None else found
+
+    verdict = judge(load_table("nearest_object"), nearest_object)
+    assert verdict.failed_gate == "type"
+    assert verdict.probe == "simpler:large-hand"
 
 
 def test_a_right_function_is_not_called_again() -> None:

@@ -35,16 +35,20 @@ def test_checks_are_kept(folder: Path) -> None:
     check("camera_to_world", wrong)
     check("camera_to_world", wrong)
     check("camera_to_world", right)
+    check("camera_to_world", lambda *case: 2 * right(*case))
+    check("camera_to_world", lambda *case: right(*case) + case[1].prod())
     check("camera_to_world", lambda *_: 1 / 0)
     check("camera_to_world", lambda *_: None)  # not started: nothing was tried
     kept = json.loads((folder / FILE_NAME).read_text())
     assert kept["version"] == 1
     assert kept["exercises"]["camera_to_world"] == {
         "passed": True,  # once passed stays passed
-        "attempts": 4,
+        "attempts": 6,
         "hints": 0,
         "last_property": "runs",
         "mistakes": {"no-position": 2},
+        "relations": {"scaled:2": 1},
+        "probes": {"simpler:at-the-origin": 1},
     }
     assert [path.name for path in folder.iterdir()] == [FILE_NAME]
 
@@ -72,6 +76,10 @@ def test_hints_are_given_in_order_and_counted_up_to_three() -> None:
         (
             b'{"version": 1, "exercises": {"camera_to_world": {"passed": true, "attempts": 1,'
             b' "hints": 9, "last_property": null, "mistakes": {}}}}'
+        ),
+        (
+            b'{"version": 1, "exercises": {"camera_to_world": {"passed": true, "attempts": 1,'
+            b' "hints": 0, "last_property": null, "mistakes": {}, "probes": {"state": "2"}}}}'
         ),
     ],
 )

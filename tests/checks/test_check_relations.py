@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import cv2
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge_answers
-from labutils.checks.explain import FAMILIES, find_odd_case, find_relation
+from labutils.checks.explain import FAMILIES, Differences
 from labutils.checks.kinds import KINDS
 from labutils.checks.table import Case, CheckTable, Outcome, Part, load_table, read_words
 
@@ -44,7 +45,7 @@ def make_table(
 def relate(part: Part, dues: list[np.ndarray], change: Change, **known: Any) -> Any:
     """Return what is told of answers that are all changed in one way."""
     answers: tuple[Outcome, ...] = tuple((np.asarray(change(due)),) for due in dues)
-    return find_relation(make_table(part, dues, **known), answers)
+    return Differences(make_table(part, dues, **known), answers).find_relation()
 
 
 def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
@@ -54,6 +55,7 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         "number": (Part("angle", kind, "float", atol=1e-4), lambda: rng.uniform(0.2, 0.9, ())),
         "matrix": (Part("K", kind, "float", atol=1e-3), lambda: rng.uniform(20, 90, (3, 3))),
         "pixel": (Part("place", kind, "float", atol=1e-3), lambda: rng.uniform(20, 90, 2)),
+        "vector": (Part("plane", kind, "float", atol=1e-4), lambda: rng.uniform(0.2, 0.9, 4)),
         "rows": (Part("points", kind, "float", atol=1e-4), lambda: rng.normal(size=(30, 3))),
         "cloud": (Part("points", kind, "float", atol=1e-4), lambda: rng.normal(size=(30, 3))),
         "depth": (Part("depth", kind, "float", atol=1e-3), lambda: rng.uniform(1, 6, (9, 14))),
@@ -108,6 +110,9 @@ def draw(kind: str, seed: int = 1) -> tuple[Part, list[np.ndarray]]:
         ("depth", lambda a: np.minimum(a, 4), "clipped:above:4"),
         ("depth", lambda a: a / 1000, "scaled:1/1000"),
         ("depth", np.round, "rounded"),
+        ("depth", lambda a: np.round(a, 2), "decimals:2"),
+        ("depth", lambda a: (a - a.min()) / np.ptp(a), "stretched:1"),
+        ("vector", lambda a: a / a[0], "length"),
         ("list", lambda a: a[::-1], "reversed"),
         ("list", np.sort, "sorted"),
         ("flags", lambda a: ~a, "complement"),
@@ -160,7 +165,7 @@ def test_of_noise_nothing_is_told(kind: str, seed: int) -> None:
 def test_a_relation_that_fails_in_one_case_is_not_told() -> None:
     part, dues = draw("rows")
     answers = tuple((2 * due if number else 3 * due,) for number, due in enumerate(dues))
-    assert find_relation(make_table(part, dues), answers) is None
+    assert Differences(make_table(part, dues), answers).find_relation() is None
 
 
 def test_one_number_in_one_case_fits_anything_and_tells_nothing() -> None:
@@ -179,7 +184,7 @@ def test_an_argument_that_came_back_is_named() -> None:
     part, dues = draw("depth")
     raw = [(due / 10,) for due in dues]
     answers = tuple((one[0],) for one in raw)
-    found = find_relation(make_table(part, dues, ("depth_raw",), raw), answers)
+    found = Differences(make_table(part, dues, ("depth_raw",), raw), answers).find_relation()
     assert found is not None
     assert found.name == "returned:depth_raw"
     assert found.text == "In all 3 cases: depth: depth_raw, unchanged."
@@ -189,7 +194,7 @@ def test_a_number_among_the_arguments_is_named() -> None:
     part, dues = draw("number")
     args = [(width, 17 * width - 3) for width in (64, 80, 36)]
     answers = tuple((due * w / h,) for due, (w, h) in zip(dues, args, strict=True))
-    found = find_relation(make_table(part, dues, ("width", "height"), args), answers)
+    found = Differences(make_table(part, dues, ("width", "height"), args), answers).find_relation()
     assert found is not None
     assert found.name == "argument:*(width / height)"
 
@@ -200,7 +205,7 @@ def test_where_it_is_wrong_and_what_stands_there_is_told() -> None:
     holes = [rng.random(due.shape) < 0.2 for due in dues]
     raw = [(np.where(hole, np.nan, due / 7),) for hole, due in zip(holes, dues, strict=True)]
     answers = tuple((np.where(hole, 0.0, due),) for hole, due in zip(holes, dues, strict=True))
-    found = find_relation(make_table(part, dues, ("depth_raw",), raw), answers)
+    found = Differences(make_table(part, dues, ("depth_raw",), raw), answers).find_relation()
     assert found is not None
     assert found.name == "where:depth_raw is NaN"
     assert found.text.endswith("it is wrong exactly where depth_raw is NaN; there it is 0.")
@@ -215,7 +220,7 @@ def test_a_region_that_holds_all_that_is_wrong_is_told_as_only() -> None:
         (np.where(hole & (rng.random(due.shape) < 0.7), due + rng.normal(size=due.shape), due),)
         for hole, due in zip(holes, dues, strict=True)
     )
-    found = find_relation(make_table(part, dues, ("depth_metric",), raw), answers)
+    found = Differences(make_table(part, dues, ("depth_metric",), raw), answers).find_relation()
     assert found is not None
     assert found.name == "within:depth_metric is NaN"
     assert "it is wrong only where depth_metric is NaN; elsewhere it agrees." in found.text
@@ -291,18 +296,18 @@ def test_odd_answers_are_compared_without_an_error(name: str) -> None:
         if odd.dtype.kind == "U" and not with_texts:
             continue  # calls.split_answer has refused texts before
         answers: list[Outcome] = [(odd,) * len(table.parts)] * len(table.cases)
-        find_relation(table, tuple(answers))
+        Differences(table, tuple(answers)).find_relation()
         mixed = [
             (odd, *due[1:]) if isinstance(due, tuple) and number else due
             for number, due in enumerate(table.expected)
         ]
-        find_relation(table, tuple(mixed))
+        Differences(table, tuple(mixed)).find_relation()
 
 
 def test_a_relation_of_the_wrong_cases_says_that_the_others_agree() -> None:
     part, dues = draw("rows")
     answers = ((dues[0],), (dues[1] * 1000,), (dues[2] * 1000,))
-    found = find_relation(make_table(part, dues), answers)
+    found = Differences(make_table(part, dues), answers).find_relation()
     assert found is not None
     assert found.text == "Only in case 2, 3, the other agrees: points: 1000 times what is due."
 
@@ -312,17 +317,68 @@ def test_the_only_wrong_case_and_the_only_right_one_are_named() -> None:
     noise = np.random.default_rng(9).normal(size=(3, *dues[0].shape))
     table = make_table(part, dues)
     one_wrong = ((dues[0],), (dues[1] + noise[1],), (dues[2],))
-    found = find_odd_case(table, one_wrong)
+    found = Differences(table, one_wrong).find_odd_case()
     assert found is not None
     assert (found.name, found.text) == (
         "only-wrong:2",
         "Of 3 cases only this one is wrong: case 1.",
     )
     one_right = ((dues[0],), (dues[1] + noise[1],), (dues[2] + noise[2],))
-    found = find_odd_case(table, one_right)
+    found = Differences(table, one_right).find_odd_case()
     assert found is not None
     assert found.name == "only-right:1"
-    assert find_odd_case(table, table.expected) is None
+    assert Differences(table, table.expected).find_odd_case() is None
+
+
+def test_two_wrong_cases_of_five_are_named() -> None:
+    part, dues = draw("depth")
+    dues = [*dues, dues[0] + 1, dues[1] + 1]
+    noise = np.random.default_rng(9).normal(size=dues[0].shape)
+    answers = tuple((due + noise if n in (1, 4) else due,) for n, due in enumerate(dues))
+    found = Differences(make_table(part, dues), answers).find_odd_case()
+    assert found is not None
+    assert found.name == "only-wrong:2+5"
+    assert found.text == "Of 5 cases only 2 are wrong: case 1; case 4."
+
+
+def make_two_parts() -> tuple[CheckTable, list[tuple[np.ndarray, np.ndarray]]]:
+    """Make a table of an answer with two parts, and its right answers."""
+    (matrix, ones), (points, others) = draw("matrix"), draw("rows")
+    table = make_table(matrix, ones)
+    dues = list(zip(ones, others, strict=True))
+    return replace(table, parts=(matrix, points), expected=tuple(dues)), dues
+
+
+def test_what_is_known_of_one_part_is_told_and_that_the_other_is_wrong() -> None:
+    table, dues = make_two_parts()
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    answers = tuple((K.T, points + noise) for K, points in dues)
+    assert Differences(table, answers).find_relation() is None
+    found = Differences(table, answers).find_partial()
+    assert found is not None
+    assert found.name == "transposed:K"
+    assert found.text.endswith("K: the transpose of what is due. points is wrong in another way.")
+
+
+def test_of_a_part_that_is_wrong_in_no_known_way_the_others_are_told_to_agree() -> None:
+    table, dues = make_two_parts()
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    found = Differences(table, tuple((K, points + noise) for K, points in dues)).find_partial()
+    assert found is not None
+    assert found.name == "only-part:points"
+    assert found.text == "K agrees in every case: only points is wrong."
+    assert Differences(table, table.expected).find_partial() is None
+
+
+def test_points_whose_distances_change_were_not_turned() -> None:
+    part, dues = draw("rows")
+    points = [(due - MOVE) @ turn("x", 0.7) for due in dues]
+    table = make_table(part, dues, ("points",), [(one,) for one in points])
+    noise = np.random.default_rng(9).normal(size=(30, 3))
+    found = Differences(table, tuple((due + noise,) for due in dues)).find_relation()
+    assert found is not None
+    assert found.name == "not-rigid"
+    assert "the distances between the points have changed" in found.text
 
 
 def test_black_is_a_word_and_not_a_level() -> None:

@@ -7,6 +7,9 @@ The times are told as ratios, which a busy or slow machine leaves as they are: t
 the right answer itself is computed, and to the least that any check has to do, one comparison of
 the same arrays by ``numpy.allclose``. Both take turns with the checks.
 
+An answer that is wrong in no known way, the right one with noise, has everything tried on it. How
+much longer it takes for that, once more as a ratio, is the price of an explanation.
+
 Usage: ``python -m tools.bench.checks [--rounds 5]``.
 """
 
@@ -21,6 +24,7 @@ import numpy as np
 
 from labutils.checks import judge_answers
 from labutils.checks.calls import collect_answers
+from labutils.checks.explain import Differences
 from solutions import Case, load_exercises
 from solutions._cases import (
     make_color_scene,
@@ -37,6 +41,7 @@ if TYPE_CHECKING:
     from labutils.checks.table import CheckTable, Outcome
 
 REFERENCE, PEER = "the right answer", "numpy.allclose"
+UNKNOWN, EXPLAINING = "unknown mistake", "explaining it"
 HEIGHT, WIDTH = 480, 640
 
 
@@ -76,6 +81,9 @@ def measure(name: str, case: Case, rounds: int) -> dict[str, float]:
     for label, function in functions.items():
         # What the learner's own function takes is not the checker's time.
         runs[label] = _judge(table, collect_answers(table, function))
+    unknown = tuple(map(add_noise, table.expected))
+    runs[UNKNOWN] = _judge(table, unknown)
+    runs[EXPLAINING] = lambda: explain_difference(table, unknown)
     times = {label: [_time(run) for _ in range(rounds)] for label, run in runs.items()}
     return {label: min(found) for label, found in times.items()}
 
@@ -84,6 +92,29 @@ def compare_with_numpy(outcomes: tuple[Outcome, ...]) -> bool:
     """Compare every array of some outcomes once, with itself."""
     parts = [part for outcome in outcomes if isinstance(outcome, tuple) for part in outcome]
     return all(np.allclose(part, part, equal_nan=True) for part in parts if part is not None)
+
+
+def add_noise(outcome: Outcome) -> Outcome:
+    """Spoil every array of an answer, the same way every time."""
+    rng = np.random.default_rng(0)
+
+    def spoil(part: np.ndarray | None) -> np.ndarray | None:
+        if part is None or part.dtype == bool:
+            return part
+        if part.dtype == np.uint8:
+            return np.where(rng.random(part.shape) < 0.2, 255 - part, part).astype(np.uint8)
+        noise = rng.normal(size=part.shape) if part.dtype.kind == "f" else 7
+        return np.asarray((part + noise).astype(part.dtype))
+
+    return tuple(map(spoil, outcome)) if isinstance(outcome, tuple) else outcome
+
+
+def explain_difference(table: CheckTable, answers: tuple[Outcome, ...]) -> None:
+    """Try all that is tried on answers of which nothing is known, but for calling again."""
+    differences = Differences(table, answers)
+    differences.find_relation()
+    differences.find_partial()
+    differences.find_odd_case()
 
 
 def _judge(table: CheckTable, answers: tuple[Outcome, ...]) -> Callable[[], object]:
@@ -105,11 +136,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for name, case in make_large_cases().items():
         times = measure(name, case, options.rounds)
         reference, peer = times.pop(REFERENCE), times.pop(PEER)
+        explaining = times.pop(EXPLAINING)
+        price = times[UNKNOWN] / max(times[UNKNOWN] - explaining, 1e-3)
         cells = [
             f"{label} {ms / reference:.1f} / {ms / peer:.1f} ({ms:.0f} ms)"
             for label, ms in times.items()
         ]
-        print(f"{name:<22}{', '.join(cells)}")
+        print(f"{name:<22}{', '.join(cells)}, explained {price:.1f} x unexplained")
     return 0
 
 

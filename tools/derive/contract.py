@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from labutils.checks.gates import GATES
 from labutils.checks.kinds import get_kind
 from tools.derive.sentences import CODE, Sentence, list_sentences
-from tools.derive.starters import INPUTS_STAY
+from tools.derive.starters import INPUTS_STAY, STATE_MAY_FOLLOW
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -80,6 +80,8 @@ def _tie_by_form(exercise: Exercise, sentence: Sentence) -> Tie | None:
         return Tie("example-call", sentence, "told", ())
     if sentence.text == INPUTS_STAY:
         return Tie("inputs-stay", sentence, "asked", ("input",))
+    if sentence.text == STATE_MAY_FOLLOW:
+        return Tie("state-may-follow", sentence, "told", ())
     name = sentence.text.partition(" :")[0].replace(", ", "-")
     if sentence.place == "Parameters":
         return Tie(f"given-{name}", sentence, "given", ())

@@ -142,6 +142,16 @@ def make_table(table: CheckTable) -> tuple[dict[str, Any], bytes]:
         "misconceptions": table.misconceptions,
         "links": table.links,
         "matters": list(table.matters),
+        "simpler": [
+            {
+                "name": one.name,
+                "words": one.words,
+                "of": list(one.of),
+                "cases": [encode(case.args, arrays) for case in one.cases],
+                "expected": [encode(outcome, arrays) for outcome in one.expected],
+            }
+            for one in table.simpler
+        ],
         "cases": [
             {"label": case.label, "raises": case.raises, "args": encode(case.args, arrays)}
             for case in table.cases

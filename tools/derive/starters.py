@@ -22,6 +22,9 @@ SECTIONS = ("Convention", "Returns", "Raises", "Examples")
 #: A duty of every exercise.
 INPUTS_STAY = "The arguments stay as they are."
 
+#: What may change all the same: MuJoCo computes it from the state, and whoever looks asks for it.
+STATE_MAY_FOLLOW = "What follows from the state in `data` may be brought up to date."
+
 
 def make_starter(exercise: Exercise) -> str:
     """Keep imports, signature and docstring of the reference, and nothing of its body.
@@ -38,7 +41,8 @@ def make_starter(exercise: Exercise) -> str:
     for argument in function.args.args:
         argument.annotation = None  # the names in them are not imported where a learner writes
     docstring = inspect.cleandoc(ast.get_docstring(function, clean=False) or "")
-    docstring = promise_inputs(narrow(docstring, extras, exercise.asks))
+    follows = any(argument.arg == "data" for argument in function.args.args)
+    docstring = promise_inputs(narrow(docstring, extras, exercise.asks), follows=follows)
     docstring = textwrap.indent(rewrap(docstring), "    ", lambda line: bool(line.strip()))
     head = f"def {exercise.name}({ast.unparse(function.args)}):"
     if len(head) > WIDTH:
@@ -84,13 +88,14 @@ def _wrap(block: list[str]) -> list[str]:
     )
 
 
-def promise_inputs(docstring: str) -> str:
+def promise_inputs(docstring: str, *, follows: bool = False) -> str:
     """Say after the section Parameters what holds in every exercise: the check looks at it."""
     head, found, rest = docstring.partition("\nParameters\n----------\n")
     if not found:
         raise ValueError("expected a section Parameters, got none")
     section, blank, tail = rest.partition("\n\n")
-    return f"{head}{found}{section}\n\n{INPUTS_STAY}{blank}{tail}"
+    promise = f"{INPUTS_STAY} {STATE_MAY_FOLLOW}" if follows else INPUTS_STAY
+    return f"{head}{found}{section}\n\n{promise}{blank}{tail}"
 
 
 def narrow(docstring: str, extras: list[str], asks: Mapping[str, str]) -> str:

@@ -53,6 +53,7 @@ def _make_exchange(order: tuple[int, ...], sign: tuple[int, ...], names: list[st
         text,
         1.1 + 0.1 * len(flips) + 0.1 * len(moved),
         lambda pair: pair.due[..., list(order)] * np.array(sign, pair.due.dtype),
+        by_row=True,
     )
 
 
@@ -101,6 +102,7 @@ def propose_entries(pairs: list[Pair]) -> Iterator[Relation]:
         predict,
         fitted=sum(one.fitted for one in found.values()),
         loose=max(1.0, *(one.loose for one in found.values())),
+        by_row=not is_few,
     )
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from labutils.checks.explain.relation import Pair, Predict, Relation
+from labutils.checks.explain.relation import Pair, Predict, Relation, thin
 from labutils.checks.kinds import get_kind
 
 if TYPE_CHECKING:
@@ -40,11 +42,16 @@ _FUNCTIONS: dict[str, tuple[str, Callable[[np.ndarray], np.ndarray]]] = {
     "cut": ("what is due, cut to whole numbers", np.trunc),
     "floor": ("what is due, rounded down", np.floor),
     "ceil": ("what is due, rounded up", np.ceil),
+    "decimals:1": ("what is due, rounded to one decimal", lambda value: np.round(value, 1)),
+    "decimals:2": ("what is due, rounded to two decimals", lambda value: np.round(value, 2)),
     "square": ("the square of what is due", np.square),
     "root": ("the square root of what is due", np.sqrt),
     "unsigned": ("what is due without its sign", np.abs),
     "reciprocal": ("one divided by what is due", np.reciprocal),
 }
+
+#: Of fewer numbers, smallest and largest say too little.
+_SAMPLE = 8
 
 #: Shifts that have a meaning of their own: half a pixel, one place.
 _SHIFTS = (-1.0, -0.5, 0.5, 1.0)
@@ -63,9 +70,9 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
         return
     if any(pair.due.shape != pair.yours.shape for pair in pairs):
         return
-    yield from _propose_known()
-    yield from _propose_fitted(pairs)
-    yield from _propose_arguments(pairs)
+    for one in (*_propose_known(), *_propose_fitted(pairs), *_propose_arguments(pairs)):
+        yield replace(one, by_row=True)
+    yield from _propose_per_case(pairs)
 
 
 def _propose_known() -> Iterator[Relation]:
@@ -107,8 +114,9 @@ def _combine(operation: Callable[[Any, float], Any], get: Get) -> Predict:
 
 def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
     """Propose one factor, one shift and one limit that are read off the answers."""
-    x = np.concatenate([pair.due.astype(np.float64).ravel() for pair in pairs])
-    y = np.concatenate([pair.yours.astype(np.float64).ravel() for pair in pairs])
+    some = [thin(pair) for pair in pairs]
+    x = np.concatenate([pair.due.astype(np.float64).ravel() for pair in some])
+    y = np.concatenate([pair.yours.astype(np.float64).ravel() for pair in some])
     atol = pairs[0].part.atol
     good = np.isfinite(x) & np.isfinite(y) & (np.abs(x) > 20 * atol)
     if not good.any():
@@ -127,15 +135,50 @@ def _propose_fitted(pairs: list[Pair]) -> Iterator[Relation]:
     first = float(y[good][0])
     text = f"{get_kind(pairs[0].part).name_value(first)} everywhere"
     yield Relation(f"constant:{first:.4g}", text, 1.4, _fill(lambda _: first), fitted=1)
+    finite = [pair.yours[np.isfinite(pair.yours)] for pair in pairs]
     for word, limit, clip in (
-        ("above", float(y[good].max()), np.minimum),
-        ("below", float(y[good].min()), np.maximum),
+        ("above", max(float(one.max()) for one in finite if one.size), np.minimum),
+        ("below", min(float(one.min()) for one in finite if one.size), np.maximum),
     ):
         # Where nearly nothing, or nearly all, is cut off there is no limit to speak of.
         if 0.05 < np.mean(clip(x[good], limit) != x[good]) < 0.95:
             text = f"what is due, but cut off {word} {limit:.4g}"
             name = f"clipped:{word}:{limit:.4g}"
             yield Relation(name, text, 3.0, _clip(clip, limit), fitted=1)
+
+
+def _propose_per_case(pairs: list[Pair]) -> Iterator[Relation]:
+    """Propose a length of its own in every case, and a stretch of every case to 0 to 1 or 255."""
+    fitted = len(pairs)
+    if all(pair.due.ndim == 1 and pair.due.size > 2 for pair in pairs):
+        yield Relation(
+            "length",
+            "of the right direction, but of another length",
+            3.5,
+            _give_length,
+            fitted=fitted,
+        )
+    for top in (1, 255):
+        if all(_ranges_from_zero_to(top, pair.yours) for pair in pairs):
+            text = f"what is due, stretched to 0 to {top} in every case"
+            yield Relation(f"stretched:{top}", text, 3.0, partial(_stretch, top), fitted=2 * fitted)
+
+
+def _ranges_from_zero_to(top: int, values: np.ndarray) -> bool:
+    finite = values[np.isfinite(values)]
+    return finite.size > 2 * _SAMPLE and bool(
+        abs(finite.min()) < 1e-6 and abs(finite.max() / top - 1) < 1e-6
+    )
+
+
+def _give_length(pair: Pair) -> np.ndarray:
+    return pair.due * (np.vdot(pair.due, pair.yours) / np.vdot(pair.due, pair.due))
+
+
+def _stretch(top: int, pair: Pair) -> np.ndarray:
+    finite = pair.due[np.isfinite(pair.due)]
+    low, high = finite.min(), finite.max()
+    return top * (pair.due.astype(np.float64) - low) / (high - low)
 
 
 def _propose_arguments(pairs: list[Pair]) -> Iterator[Relation]:

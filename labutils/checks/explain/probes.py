@@ -1,4 +1,4 @@
-"""Call a wrong function again: the same twice, with one argument changed, with one repaired.
+"""Call a wrong function again: the same twice, one argument changed, one repaired, all simpler.
 
 What a probe tells was seen in every case. It is asked only after a failure that has no other
 explanation, and it is no reason to fail by itself.
@@ -22,6 +22,7 @@ from labutils.checks.explain.arguments import (
     with_argument,
 )
 from labutils.checks.explain.repairs import list_repairs
+from labutils.checks.explain.simpler import find_simpler
 from labutils.checks.explain.told import Explanation
 from labutils.checks.table import Raised
 
@@ -54,12 +55,12 @@ def probe(
     Returns
     -------
     Explanation or None
-        Of a kept state, of arguments without effect, or of the one repair of an argument after
-        which every case would agree.
+        Of a kept state, of arguments without effect, of the one repair of an argument after which
+        every case would agree, or of the complication without which every case agrees.
     """
     deadline = time.monotonic() + _TIME_LIMIT_S
     with np.errstate(all="ignore"):
-        for find in (_find_state, _find_no_effect, _find_repair):
+        for find in (_find_state, _find_no_effect, _find_repair, find_simpler):
             if time.monotonic() > deadline:
                 return None
             if found := find(table, answers, function, deadline):

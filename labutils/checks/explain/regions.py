@@ -180,7 +180,11 @@ def _list_due_places(pair: Pair, axes: int) -> dict[str, np.ndarray]:
     due = pair.due
     if due.dtype.kind == "f":
         has_nan = np.isnan(due)
-        return {"NaN is due": has_nan.any(axis=-1) if due.ndim > axes else has_nan}
+        found = {"NaN is due": has_nan.any(axis=-1) if due.ndim > axes else has_nan}
+        if due.ndim == axes == 2 and np.isfinite(due).any():
+            largest = due[np.isfinite(due)].max()
+            found["the largest value of the picture is due"] = due == largest
+        return found
     if due.dtype == np.uint8 and due.ndim > axes:
         black = (due == 0).all(axis=-1)
         return {"black is due": black, "a color is due": ~black}

@@ -8,7 +8,7 @@ its size that does.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import cv2
@@ -26,6 +26,12 @@ _MOST_SUPPORT = 50
 
 #: A relation that is seen in a single case needs this many values to move.
 _SUPPORT_OF_ONE_CASE = 8
+
+#: Of arrays with more values than twice as many, some rows are looked at first.
+_MANY = 6000
+
+#: In some rows, this share may be wrong where any may be.
+_SHARE_OF_SOME = 0.1
 
 #: Costs that differ by less are the same size.
 _SAME_COST = 0.05
@@ -86,6 +92,9 @@ class Relation:
         Numbers taken from the answers themselves: as many more values have to support it.
     loose : float
         How much the tolerance grows: a value scaled by 1000 is off by 1000 times as much.
+    by_row : bool
+        Whether it says of each row, or pixel, by itself what should have come: then some rows can
+        refute it before all are computed.
     """
 
     name: str
@@ -94,6 +103,15 @@ class Relation:
     predict: Predict
     fitted: int = 0
     loose: float = 1.0
+    by_row: bool = False
+
+
+def thin(pair: Pair) -> Pair:
+    """Return some rows of a large pair: most proposals fail there already."""
+    step = pair.due.size // _MANY if pair.due.ndim else 0
+    if step < 2 or pair.due.shape != pair.yours.shape:
+        return pair
+    return replace(pair, due=pair.due[::step], yours=pair.yours[::step])
 
 
 def find_close(pair: Pair, a: np.ndarray, b: np.ndarray, loose: float = 1.0) -> np.ndarray:
@@ -119,13 +137,23 @@ def predicts(relation: Relation, pair: Pair) -> np.ndarray | None:
     said = np.asarray(said)
     if said.shape != pair.yours.shape:
         return None
+    # Some values first: they refute nearly everything that is wrong. A share of wrong ones that is
+    # allowed in all may be exceeded in some.
+    share = pair.part.share
+    if (step := said.size // _MANY) > 1 and share <= _SHARE_OF_SOME:
+        some, came = said.ravel()[::step], pair.yours.ravel()[::step]
+        wrong = np.count_nonzero(~find_close(pair, some, came, relation.loose))
+        if wrong > (_SHARE_OF_SOME * some.size if share else 0):
+            return None
     wrong = np.count_nonzero(~find_close(pair, said, pair.yours, relation.loose))
-    return said if wrong <= pair.part.share * said.size else None
+    return said if wrong <= share * said.size else None
 
 
 def fits(relation: Relation, pairs: list[Pair]) -> bool:
     """Tell whether a relation holds in every case, and says more than it took to fit it."""
     support, cases = 0, set()
+    if relation.by_row and any(_some_rows_refute(relation, pair) for pair in pairs):
+        return False
     for pair in pairs:
         said = predicts(relation, pair)
         if said is None:
@@ -140,6 +168,20 @@ def fits(relation: Relation, pairs: list[Pair]) -> bool:
     if len(cases) < 2 and support < _SUPPORT_OF_ONE_CASE + relation.fitted:
         return False
     return support >= 2 + relation.fitted
+
+
+def may_fit(pairs: list[Pair]) -> bool:
+    """Tell whether there are values enough for any relation."""
+    return len({pair.case for pair in pairs}) > 1 or pairs[0].due.size >= _SUPPORT_OF_ONE_CASE
+
+
+def _some_rows_refute(relation: Relation, pair: Pair) -> bool:
+    some = thin(pair)
+    if some is pair:
+        return False
+    # A share of wrong values that is allowed in all may be exceeded in some.
+    share = max(_SHARE_OF_SOME, pair.part.share) if pair.part.share else 0.0
+    return predicts(relation, replace(some, part=replace(some.part, share=share))) is None
 
 
 def choose(proposals: Iterable[Relation], pairs: list[Pair]) -> Relation | None:

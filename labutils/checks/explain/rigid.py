@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from labutils.checks.explain.relation import Pair, Relation
+from labutils.checks.explain.relation import Pair, Relation, thin
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -23,6 +23,16 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
     """Propose that the whole is turned, mirrored or moved, in one way in all cases."""
     if any(pair.due.shape != pair.yours.shape or len(pair.due) < _MIN_POINTS for pair in pairs):
         return
+    if (source := _find_source(pairs)) and not any(_keeps_distances(*one) for one in source):
+        yield Relation(
+            "not-rigid",
+            "the distances between the points have changed: what was done is no rotation and no "
+            "move",
+            6.0,
+            lambda pair: pair.yours,
+        )
+    if not all(_describe(thin(pair)) for pair in pairs):
+        return
     words = {_describe(pair) for pair in pairs}
     if len(words) != 1 or not (word := words.pop()):
         return
@@ -33,6 +43,36 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
         # That one motion carries all points was verified above.
         lambda pair: pair.yours,
     )
+
+
+def _find_source(pairs: list[Pair]) -> list[tuple[np.ndarray, Pair]]:
+    """Return the points among the arguments that only had to be turned and moved, if they had."""
+    for name in pairs[0].args:
+        points = [pair.args.get(name) for pair in pairs]
+        if all(
+            isinstance(one, np.ndarray)
+            and one.shape == pair.due.shape
+            and _has_same_distances(one, pair.due)
+            for one, pair in zip(points, pairs, strict=True)
+        ):
+            return [(one, pair) for one, pair in zip(points, pairs, strict=True) if one is not None]
+    return []
+
+
+def _keeps_distances(points: np.ndarray, pair: Pair) -> bool:
+    return _has_same_distances(points, pair.yours)
+
+
+def _has_same_distances(some: np.ndarray, others: np.ndarray) -> bool:
+    """Compare the distances of all points from the first, and from each one's next."""
+    for a, b in (
+        (some - some[:1], others - others[:1]),
+        (np.diff(some, axis=0), np.diff(others, axis=0)),
+    ):
+        lengths = np.linalg.norm(a, axis=1), np.linalg.norm(b, axis=1)
+        if not np.allclose(*lengths, rtol=1e-3, atol=1e-3, equal_nan=False):
+            return False
+    return True
 
 
 def _describe(pair: Pair) -> str:

@@ -89,6 +89,12 @@ class ColorPicture(Picture):
         return cv2.cvtColor(image.astype(np.uint8), cv2.COLOR_RGB2BGR)
 
 
+def _has_same_levels(due: np.ndarray, yours: np.ndarray) -> bool:
+    """Tell whether a listed map reads a picture to the levels that are due."""
+    levels, read = to_levels(due), to_levels(yours)
+    return levels.shape == read.shape and bool((np.abs(levels - read) <= 1).all())
+
+
 @dataclass(frozen=True, kw_only=True)
 class MappedPicture(Picture):
     """Numbers in the colors of a map, BGR; compared as the numbers, whichever map was used."""
@@ -100,8 +106,12 @@ class MappedPicture(Picture):
         return to_levels(value)
 
     def unify(self, dues: list[np.ndarray], yours: list[np.ndarray]) -> list[np.ndarray]:
-        """Draw pictures of an unlisted map from blue to red in a listed one."""
-        if all(to_levels(picture).ndim == 2 for picture in yours):
+        """Draw pictures of an unlisted map from blue to red in a listed one.
+
+        The colors of an unlisted map may all lie on a listed one, such as a ramp through the pure
+        colors on COLORMAP_JET. So the listed maps only win where they read the right levels.
+        """
+        if all(map(_has_same_levels, dues, yours)):
             return yours
         return read_with_learned_map(dues, yours) or yours
 

@@ -1,0 +1,173 @@
+"""Take complications out of cases, one at a time: a check asks a wrong function whether that helps.
+
+Whoever is right as soon as the camera is not turned has trouble with its rotation. A simplification
+changes the arguments of a case into others that are valid, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+
+from labutils._constants import MAX_DEPTH, MIN_DEPTH
+from labutils.checks.table import Case, Scene, Simpler
+
+if TYPE_CHECKING:
+    from labutils.checks.table import CheckTable
+    from solutions._model import Exercise
+
+#: From the arguments of a case by name, those that change.
+Change: TypeAlias = Callable[[dict[str, Any]], dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class Simplification:
+    """One complication: its name, a clause that follows "as soon as", and what takes it away."""
+
+    name: str
+    words: str
+    change: Change
+
+
+def put(**values: Any) -> Change:
+    """Return the change that gives arguments other values."""
+    return lambda _: values
+
+
+def simplify(exercise: Exercise, table: CheckTable) -> tuple[Simpler, ...]:
+    """Make the simpler cases of an exercise, with their right answers.
+
+    A case that stays as it is, or whose right answer is without any number, is left out.
+    """
+    found = []
+    for one in (*exercise.simpler, *list_common(exercise)):
+        numbers: list[int] = []
+        cases: list[Case] = []
+        for number, case in enumerate(table.cases):
+            if case.raises:
+                continue
+            changed = change_arguments(exercise, case.args, one.change)
+            if not _are_same(changed, case.args):
+                numbers.append(number)
+                cases.append(replace(case, label="", args=changed))
+        if not cases:
+            continue
+        expected = exercise.collect(exercise.reference, tuple(cases))
+        kept = [n for n, due in enumerate(expected) if isinstance(due, tuple) and _says_much(due)]
+        found.append(
+            Simpler(
+                one.name,
+                one.words,
+                tuple(numbers[n] for n in kept),
+                tuple(cases[n] for n in kept),
+                tuple(expected[n] for n in kept),
+            )
+        )
+    return tuple(one for one in found if one.cases)
+
+
+def change_arguments(exercise: Exercise, args: tuple[Any, ...], change: Change) -> tuple[Any, ...]:
+    """Return the arguments of a case with a change; a scene stays as it is."""
+    names = list(exercise.parameters)
+    by_name: dict[str, Any] = {}
+    for value in args:
+        if isinstance(value, Scene):
+            del names[: len(value.gives)]
+        else:
+            by_name[names.pop(0)] = value
+    copies = {
+        name: value.copy() if isinstance(value, np.ndarray) else value
+        for name, value in by_name.items()
+    }
+    changed = {**by_name, **change(copies)}
+    rest = iter(changed.values())
+    return tuple(value if isinstance(value, Scene) else next(rest) for value in args)
+
+
+def _are_same(some: tuple[Any, ...], others: tuple[Any, ...]) -> bool:
+    return all(
+        np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
+        if isinstance(a, np.ndarray) and isinstance(b, np.ndarray)
+        else a is b or a == b
+        for a, b in zip(some, others, strict=True)
+    )
+
+
+def _says_much(due: tuple[Any, ...]) -> bool:
+    """Tell whether an answer holds numbers that are not all alike."""
+    return any(
+        part is not None and part.size and (part.dtype.kind != "f" or np.isfinite(part).any())
+        for part in due
+    )
+
+
+# ---- What makes many exercises hard
+
+
+def list_common(exercise: Exercise) -> tuple[Simplification, ...]:
+    """List the complications that follow from the names of the arguments."""
+    names = exercise.parameters
+    found = []
+    if "K" in names:
+        found += [
+            Simplification("square-pixels", "fx and fy are equal", _square_pixels),
+            Simplification("centered", "the principal point is pixel (0, 0)", _center),
+        ]
+    if "depth_metric" in names:
+        found.append(Simplification("all-valid", "no pixel is invalid", fill_invalid))
+    if {"width", "height"} <= set(names):
+        found.append(Simplification("square", "the picture is as high as it is wide", _square))
+    return tuple(found)
+
+
+def _square_pixels(args: dict[str, Any]) -> dict[str, Any]:
+    K = args["K"]
+    K[1, 1] = K[0, 0]
+    return {"K": K}
+
+
+def _center(args: dict[str, Any]) -> dict[str, Any]:
+    K = args["K"]
+    K[:2, 2] = 0
+    return {"K": K}
+
+
+def _square(args: dict[str, Any]) -> dict[str, Any]:
+    return {"height": args["width"]}
+
+
+def is_valid(depth: np.ndarray) -> np.ndarray:
+    """Mark the pixels whose depth counts."""
+    return np.asarray((depth > MIN_DEPTH) & (depth < MAX_DEPTH))
+
+
+def fill_invalid(args: dict[str, Any]) -> dict[str, Any]:
+    """Give every invalid pixel the median depth."""
+    depth = args["depth_metric"]
+    valid = is_valid(depth)
+    if valid.any():
+        depth[~valid] = np.median(depth[valid])
+    return {"depth_metric": depth}
+
+
+def face_along(T: np.ndarray) -> np.ndarray:
+    """Return a pose at the same place, not turned."""
+    straight = np.eye(4)
+    straight[:3, 3] = T[:3, 3]
+    return straight
+
+
+def move_to_origin(T: np.ndarray) -> np.ndarray:
+    """Return a pose turned the same way, at the origin."""
+    moved = T.copy()
+    moved[:3, 3] = 0
+    return moved
+
+
+def carry(points: np.ndarray, old: np.ndarray, new: np.ndarray) -> np.ndarray:
+    """Move points with a pose, so that they look the same from it."""
+    motion = new @ np.linalg.inv(old)
+    return np.asarray(points @ motion[:3, :3].T + motion[:3, 3])
