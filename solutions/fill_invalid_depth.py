@@ -72,17 +72,34 @@ def _make_case(rng: np.random.Generator, label: str, height: int, width: int) ->
     return Case(label, (depth,))
 
 
+def _make_wide_hole(rng: np.random.Generator, label: str) -> Case:
+    """Make a hole that takes more than ten rounds."""
+    depth = np.round(rng.uniform(0.6, 4.0, size=(3, int(rng.integers(26, 32)))), 4)
+    depth[:, 1:-1] = rng.choice([0.0, np.nan, 12.0])
+    return Case(label, (depth.astype(np.float32),))
+
+
+def _make_whole(rng: np.random.Generator, label: str) -> Case:
+    return Case(label, (np.round(rng.uniform(0.6, 4.0, size=(3, 4)), 4).astype(np.float32),))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(105)
     return (
         _make_case(rng, "a box before a wall, with holes", 18, 26),
         _make_case(rng, "a picture that is higher than wide", 25, 17),
+        _make_wide_hole(rng, "a hole that is more than twenty pixels wide"),
+        _make_whole(rng, "no pixel is invalid"),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     sizes = rng.integers(16, 34, size=(3, 2))
-    return tuple(_make_case(rng, f"view {h} x {w}", int(h), int(w)) for h, w in sizes)
+    return (
+        *(_make_case(rng, f"view {h} x {w}", int(h), int(w)) for h, w in sizes),
+        _make_wide_hole(rng, "a wide hole"),
+        _make_whole(rng, "no hole"),
+    )
 
 
 def _close_border(args: dict[str, Any]) -> dict[str, Any]:
@@ -180,11 +197,21 @@ EXERCISE = Exercise(
         asked("fill", "Fill the invalid pixels", "value"),
         asked("valid", "Valid is a depth above", "mistake zeros-only"),
         asked("rounds", "Fill in rounds", "mistake four-neighbors"),
-        asked("repeat", "Repeat until no invalid pixel is left", "mistake one-round"),
+        asked(
+            "repeat",
+            "Repeat until no invalid pixel is left",
+            "mistake one-round",
+            "case a hole that is more",
+        ),
         told("why-farthest", "hence the farthest"),
         given("meters", "depth_metric: Meters."),
         given("one-valid", "At least one pixel is valid"),
-        asked("keep", "valid pixels keep their depth", "mistake valid-changed"),
+        asked(
+            "keep",
+            "valid pixels keep their depth",
+            "mistake valid-changed",
+            "case no pixel is invalid",
+        ),
     ),
     visible=_visible,
     hidden=_hidden,
