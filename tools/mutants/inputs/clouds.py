@@ -146,8 +146,8 @@ def _draw_top_view(rng: np.random.Generator) -> tuple[Any, ...]:
     scale = int(rng.integers(1, 40))
     height, width = map(int, rng.integers(1, 7, size=2))
     high = rng.uniform(-2, 3, size=2)
-    # The size is rounded up: so no point lies in the picture, but beyond the limits.
-    low = high - (np.array([height, width]) - rng.uniform(0, 0.4, size=2)) / scale
+    # Where the size is rounded up, no point lies in the picture, but beyond the limits.
+    low = high - (np.array([height, width]) - rng.uniform(-0.4, 0.4, size=2)) / scale
     count = int(rng.integers(0, 25))
     row, column = rng.integers(-2, height + 2, count), rng.integers(-2, width + 2, count)
     shift = rng.uniform(0.05, 0.55, size=(count, 2))
