@@ -87,8 +87,8 @@ def _make_case(
     high = np.round(rng.uniform([1.5, 0.2], [2.5, 0.8]), 2)
     low = high - (np.array(size) - missing) / scale
     # Away from the borders of pixels, so that no rounding decides; a margin lies outside the map.
-    places = rng.integers(-3, np.array(size) + 3, (count, 2))
-    places = high - (places + rng.uniform(0.2, 0.6, size=(count, 2))) / scale
+    pixels = rng.integers(-3, np.array(size) + 3, (count, 2))
+    places = high - (pixels + rng.uniform(0.2, 0.6, size=(count, 2))) / scale
     return Case(label, (*_add_heights(rng, places), np.round(low, 9), high, scale))
 
 
