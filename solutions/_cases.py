@@ -130,6 +130,21 @@ def make_mask(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
     return mask
 
 
+def make_blocks(
+    blocks: tuple[tuple[int, int, int, tuple[float, ...]], ...],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Make labels and depth of blocks before the sky, int32 and float32.
+
+    Each has a label, its left column, its top row, and the depth of each column in six rows.
+    """
+    labels = np.zeros((20, 32), dtype=np.int32)
+    depth = np.full(labels.shape, 12.0, dtype=np.float32)
+    for label, left, top, columns in blocks:
+        where = np.s_[top : top + 6, left : left + len(columns)]
+        labels[where], depth[where] = label, columns
+    return labels, depth
+
+
 _SCENE = """<mujoco>
  <compiler angle="degree"/>
  <statistic extent="1" center="0 0 0"/>
@@ -197,3 +212,11 @@ def make_rotation(rng: np.random.Generator, low: float = 0.6, high: float = 2.2)
     x, y, z = axis / np.sqrt((axis**2).sum())
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)
+
+
+def make_pose(rng: np.random.Generator, origin: np.ndarray) -> np.ndarray:
+    """Make a pose that has the origin of the world within 10 cm of a point of the frame."""
+    pose = np.eye(4)
+    pose[:3, :3] = make_rotation(rng)
+    pose[:3, 3] = rng.uniform(-0.05, 0.05, size=3) - pose[:3, :3] @ origin
+    return np.round(pose, 6)

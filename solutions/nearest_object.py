@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solutions._cases import make_rotation
+from solutions._cases import make_blocks, make_pose
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 from solutions._simpler import Simplification, face_along, is_valid, move_to_origin, put
 
@@ -24,7 +24,7 @@ def nearest_object(
     pixels of an object give its width (largest minus smallest x in the camera frame) and its
     position (median of x, median of y, median of z in the camera frame). The nearest object is
     the one whose position has the smallest distance from the camera, among those that are at most
-    `max_width` wide.
+    `max_width` wide. An object without a valid pixel does not fit.
 
     Parameters
     ----------
@@ -51,6 +51,8 @@ def nearest_object(
     valid = (depth_metric > 0.01) & (depth_metric < 10)
     for label in range(1, labels.max() + 1):
         v, u = np.nonzero(valid & (labels == label))
+        if not v.size:
+            continue
         z = depth_metric[v, u].astype(np.float64)
         x, y = (u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z
         position = np.array([np.median(x), np.median(y), np.median(z)])
@@ -76,6 +78,8 @@ def _answer_with(
     candidates = []
     for label in np.unique(labels[labels > 0]):
         v, u = np.nonzero(valid & (labels == label))
+        if not v.size:
+            continue
         pixels = np.stack([u, v, np.ones_like(u)])
         points = (np.linalg.inv(K) @ pixels * depth_metric[v, u]).T
         position = middle(points, axis=0)
@@ -92,7 +96,7 @@ def _answer_with(
     return label, (pose @ [*position, 1])[:3]
 
 
-def _make_case(rng: np.random.Generator, label: str, *, max_width: float = 0.25) -> Case:
+def _make_case(rng: np.random.Generator, label: str) -> Case:
     """Make five objects: near but wide, near but to the side, nearest by distance, and two far."""
     height, width = 48, 72
     focal_px = float(rng.uniform(58, 64))
@@ -117,25 +121,63 @@ def _make_case(rng: np.random.Generator, label: str, *, max_width: float = 0.25)
         if z < near + 0.4:  # all but the last two have pixels that measured nothing
             depth[top + rows - 1, left : left + 3] = (0, 12, 12)
             depth[top + rows - 1, left + columns - 2 : left + columns] = 12
-    T_world_cam = np.eye(4)
-    T_world_cam[:3, :3], T_world_cam[:3, 3] = make_rotation(rng), rng.uniform(-1, 1, size=3)
-    return Case(label, (labels, depth, np.round(K, 3), np.round(T_world_cam, 6), max_width))
+    # The origin of the world lies at the object on the right: distances from there mislead.
+    place = (near + 0.44) * np.array([(65.5 - K[0, 2]) / K[0, 0], (35.5 - K[1, 2]) / K[1, 1], 1])
+    return Case(label, (labels, depth, np.round(K, 3), make_pose(rng, place), 0.25))
+
+
+def _make_small_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    near = float(rng.uniform(0.95, 1.05))
+    a, b, c, d = map(int, rng.permutation([1, 2, 3, 4]))
+    wide, far = map(int, rng.permutation([2, 3]))
+    empty, other = map(int, rng.permutation([1, 2]))
+    blocks = {
+        "something near is background, and one object has no valid pixel": (
+            (0, 9, 3, (near / 2,) * 2),
+            (empty, 16, 1, (12.0, 0.0, 12.0)),
+            (other, 3, 11, (near + 0.6,) * 3),
+            (3, 24, 10, (near,) * 3),
+        ),
+        # Too wide, for a part of it stands back at the side; a near tip of a far one; the right
+        # one, whose median is not at its middle pixel. It is 1, as above it was the last number.
+        "objects that are nearer or farther in parts": (
+            (wide, 20, 10, (near - 0.2, near - 0.2, near + 0.1)),
+            (far, 9, 1, (near - 0.4,) * 2),
+            (far, 9, 7, (near + 0.5,) * 2),
+            (far, 9, 13, (near + 0.5,) * 2),
+            (1, 24, 2, (near + 0.25, near, near + 0.1)),
+        ),
+        # Hardly valid depths make two too wide; the right one is 4 / 32 m wide, which is exact.
+        "depths and a width at their limits": (
+            (a, 20, 1, (0.015, 0.8, 0.8)),
+            (b, 0, 1, (0.9, 0.9, 9.6)),
+            (c, 24, 7, (0.01, 1.0, 1.0, 1.0, 1.0, 1.0, 10.0)),
+            (c, 24, 13, (0.004, 1.0, 1.0, 1.0, 1.0, 1.0, 10.5)),
+            (d, 6, 9, (near + 0.4,) * 2),
+        ),
+    }
+    K = np.array([[32.0, 0, 10], [0, 35, 8], [0, 0, 1]])
+    return tuple(
+        Case(label, (*make_blocks(some), K, make_pose(rng, rng.uniform(-1, 1, size=3)), 0.125))
+        for label, some in blocks.items()
+    )
 
 
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(107)
+    table = _make_case(rng, "five objects on a table")
     return (
-        _make_case(rng, "five objects on a table"),
+        table,
         _make_case(rng, "the same table, another camera"),
-        _make_case(rng, "a hand that is too small for all of them", max_width=0.03),
+        Case("a hand that is too small for all of them", (*table.args[:-1], 0.03)),
+        *_make_small_cases(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return (
-        *(_make_case(rng, f"table {number}") for number in range(3)),
-        _make_case(rng, "too small a hand", max_width=0.02),
-    )
+    tables = tuple(_make_case(rng, f"table {number}") for number in range(3))
+    small = Case("too small a hand", (*tables[0].args[:-1], 0.02))
+    return (*tables, small, *_make_small_cases(rng))
 
 
 def _flatten(args: dict[str, Any]) -> dict[str, Any]:
@@ -253,10 +295,21 @@ EXERCISE = Exercise(
             "mistake camera-frame",
         ),
         asked("choose", "Choose the nearest object", "value of label"),
-        asked("valid", "Only pixels with a valid depth count", "mistake invalid-kept"),
+        asked(
+            "valid",
+            "Only pixels with a valid depth count",
+            "mistake invalid-kept",
+            "case depths and a width",
+        ),
         asked("width-position", "give its width", "mistake mean-position", "mistake any-width"),
-        asked("nearest", "has the smallest distance", "mistake depth-only"),
-        given("background", "0 for the background"),
+        asked(
+            "nearest",
+            "has the smallest distance",
+            "mistake depth-only",
+            "case objects that are nearer",
+        ),
+        asked("empty", "An object without a valid pixel", "case something near"),
+        asked("background", "0 for the background", "case something near"),
         asked("invalid-inside", "may include invalid ones", "mistake invalid-kept"),
         given("intrinsics", "Intrinsic matrix"),
         asked("pose", "Pose of the camera", "mistake pose-inverted"),

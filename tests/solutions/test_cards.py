@@ -26,6 +26,7 @@ from solutions._model import Exercise
 ROOT = Path(__file__).resolve().parents[2]
 #: With one case, a constant would pass.
 MIN_VISIBLE = 2
+PICTURE_AXES = 3
 SEEDS = [
     pytest.param(range(3), id="3 seeds"),
     pytest.param(range(3, 20), id="17 more", marks=pytest.mark.slow),
@@ -41,7 +42,7 @@ def get_parts(due: Outcome) -> "Parts | None":
 
 
 def count_right(table: CheckTable, answers: tuple[Outcome, ...]) -> int:
-    """Count the cases that a function has to work for: None and no rows are free.
+    """Count the cases that a function has to work for: None, no rows and a black map are free.
 
     So is an argument handed back, where nothing is to be done.
     """
@@ -51,6 +52,7 @@ def count_right(table: CheckTable, answers: tuple[Outcome, ...]) -> int:
         if (parts := get_parts(due)) is not None
         and parts[0] is not None
         and parts[0].size
+        and (parts[0].ndim < PICTURE_AXES or parts[0].any())
         and not is_handed_in(table, case, due)
     )
 
