@@ -78,6 +78,22 @@ def make_small_objects(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def fill_objects(args: dict[str, Any]) -> dict[str, Any]:
+    """Give the invalid pixels of every object the median depth of the others, or a large one."""
+    depth, labels = args["depth_metric"], args["labels"]
+    valid = is_valid(depth)
+    for label in np.unique(labels[labels > 0]):
+        inside = labels == label
+        seen = depth[inside & valid]
+        depth[inside & ~valid] = np.median(seen) if seen.size else 9.0
+    return {"depth_metric": depth}
+
+
+def move_background(args: dict[str, Any]) -> dict[str, Any]:
+    """Move the background behind everything."""
+    return {"depth_metric": np.where(args["labels"] == 0, np.float32(9.5), args["depth_metric"])}
+
+
 def flatten_objects(args: dict[str, Any]) -> dict[str, Any]:
     """Give every object one depth."""
     depth, labels = args["depth_metric"], args["labels"]

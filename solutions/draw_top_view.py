@@ -181,7 +181,7 @@ EXERCISE = Exercise(
         Simplification("one-each", "no two points share a pixel", _keep_one_each),
         Simplification("inside", "all points lie in the map", _keep_inside),
         Simplification("heights", "all heights are above 0", _raise),
-        Simplification("same-limits", "the limits in x and y are the same", _share_limits),
+        Simplification("same-limits", "the upper limits in x and y are the same", _share_limits),
         Simplification(
             "in-the-corner", "every point lies near its pixel's upper left corner", _move_up
         ),

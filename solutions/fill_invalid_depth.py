@@ -102,6 +102,15 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _shrink_holes(args: dict[str, Any]) -> dict[str, Any]:
+    """Give what lies deep in a hole the median depth."""
+    depth = args["depth_metric"]
+    valid = is_valid(depth)
+    deep = cv2.distanceTransform((~valid).astype(np.uint8), cv2.DIST_C, 3) > 4
+    depth[deep] = np.median(depth[valid])
+    return {"depth_metric": depth}
+
+
 def _close_border(args: dict[str, Any]) -> dict[str, Any]:
     depth = args["depth_metric"]
     rim = np.ones(depth.shape, dtype=bool)
@@ -132,6 +141,7 @@ EXERCISE = Exercise(
     reference=fill_invalid_depth,
     answer_with=_answer_with,
     simpler=(
+        Simplification("small-holes", "every hole is less than 9 pixels wide", _shrink_holes),
         Simplification("no-hole-at-border", "no hole touches the border", _close_border),
         Simplification("zeros", "every invalid pixel is 0", lambda a: _put(a, 0.0)),
         Simplification("nan", "every invalid pixel is NaN", lambda a: _put(a, np.nan)),

@@ -147,7 +147,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 
 def _turn_far(pans: np.ndarray) -> np.ndarray:
     steps = np.diff(pans, prepend=pans[:1])
-    return np.cumsum(np.where(np.abs(steps) > 0.001, 0.1 + np.abs(steps), 0.0))
+    return np.cumsum(np.where(np.abs(steps) > 0.001, steps + 0.1 * np.sign(steps), 0.0))
 
 
 EXERCISE = Exercise(
@@ -165,6 +165,11 @@ EXERCISE = Exercise(
             "large-turns",
             "the neck turns by 0.1 rad and more, or not at all",
             lambda a: {"pans": _turn_far(a["pans"])},
+        ),
+        Simplification(
+            "to-one-side",
+            "the neck turns to its left only",
+            lambda a: {"pans": np.cumsum(np.abs(np.diff(a["pans"], prepend=a["pans"][:1])))},
         ),
         Simplification(
             "turns-always",

@@ -193,7 +193,7 @@ EXERCISE = Exercise(
     simpler=(
         Simplification("mask-fits", "no pixel of the mask sees the wall", _fit_mask),
         Simplification("flat", "the side has the same depth everywhere", _flatten),
-        Simplification("centered-object", "the object is in the middle of the picture", _aim),
+        Simplification("centered-object", "the optical axis meets the middle of the object", _aim),
         Simplification("fills-the-picture", "the object fills the picture", _fill_picture),
     ),
     parts=(Part("size", "vector", "float", atol=1e-4, unit="m"),),

@@ -7,7 +7,13 @@ from typing import Any
 import numpy as np
 
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
-from solutions._object_cases import flatten_objects, make_small_objects, make_table
+from solutions._object_cases import (
+    fill_objects,
+    flatten_objects,
+    make_small_objects,
+    make_table,
+    move_background,
+)
 from solutions._simpler import Simplification, face_along, move_to_origin, put
 
 
@@ -146,6 +152,8 @@ EXERCISE = Exercise(
         ),
         Simplification("even-depth", "every object has the same depth everywhere", flatten_objects),
         Simplification("label-1", "the nearest object has the label 1", _number_anew),
+        Simplification("far-background", "the background is far away", move_background),
+        Simplification("all-valid", "no pixel of an object is invalid", fill_objects),
         Simplification("large-hand", "the hand is large enough for all", put(max_width=9.0)),
     ),
     parts=(

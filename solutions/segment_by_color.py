@@ -106,15 +106,15 @@ _NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"
 
 
 def _smooth(args: dict[str, Any]) -> dict[str, Any]:
-    """Paint large squares: opening and closing leave them as they are."""
+    """Paint specks and holes over, with a color from outside or inside the range."""
     rgb = args["rgb_image"]
-    coarse = cv2.resize(
-        rgb,
-        (max(rgb.shape[1] // 10, 1), max(rgb.shape[0] // 10, 1)),
-        interpolation=cv2.INTER_NEAREST,
-    )
-    large = np.repeat(np.repeat(coarse, 10, axis=0), 10, axis=1)
-    return {"rgb_image": large}
+    raw = _answer_with(frozenset({"no-cleaning"}), rgb, args["target_hsv_range"])
+    clean = _answer_with(frozenset(), rgb, args["target_hsv_range"])
+    for wanted in (0, 255):
+        known = (raw == wanted) & (clean == wanted)
+        if known.any():
+            rgb[(raw != wanted) & (clean == wanted)] = rgb[known][0]
+    return {"rgb_image": rgb}
 
 
 EXERCISE = Exercise(
