@@ -10,8 +10,9 @@ import pytest
 from labutils.checks import judge
 from labutils.checks.exceptions import MAX_LENGTH, explain
 from labutils.checks.kinds import get_kind
-from labutils.checks.table import Raised, encode, load_table
+from labutils.checks.table import Raised, load_table
 from labutils.checks.verdict import MAX_LINES
+from labutils.checks.writing import encode
 from tests.helpers.cells import IMPORTS, add_cell, find_raised, run_cell, stop, write
 
 

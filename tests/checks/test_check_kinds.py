@@ -12,8 +12,9 @@ from labutils.checks.compare import to_canonical
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
 from labutils.checks.kinds.panels import draw_pictures
-from labutils.checks.table import Case, CheckTable, Part, load_table, part_to_words
+from labutils.checks.table import Case, CheckTable, Part, load_table
 from labutils.checks.verdict import PanelPicture
+from labutils.checks.writing import part_to_words
 from tools.editions.mistakes import describe_residual
 
 

@@ -43,17 +43,26 @@ def test_checks_are_told_as_ratios_and_a_slow_one_is_no_failure(
 ) -> None:
     class Slow:
         def __call__(self, *_: object) -> dict[str, float]:
-            return {checks.REFERENCE: 2.0, checks.PEER: 1.0, "right": 10_000.0}
+            return {
+                checks.REFERENCE: 2.0,
+                checks.PEER: 1.0,
+                "right": 10_000.0,
+                checks.UNKNOWN: 30.0,
+                checks.EXPLAINING: 20.0,
+            }
 
     monkeypatch.setattr(checks, "measure", Slow())
     assert checks.main(["--rounds", "1"]) == 0
-    assert "right 5000.0 / 10000.0 (10000 ms)" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "right 5000.0 / 10000.0 (10000 ms)" in said
+    assert "explained 3.0 x unexplained" in said
 
 
 def test_a_check_is_compared_with_peers_that_do_something() -> None:
     case = checks.make_large_cases()["find_object_centroid"]
     times = checks.measure("find_object_centroid", case, 1)
-    assert list(times) == [checks.REFERENCE, checks.PEER, "right", "first mistake", "last pair"]
+    wrong = ["first mistake", "last pair", checks.UNKNOWN, checks.EXPLAINING]
+    assert list(times) == [checks.REFERENCE, checks.PEER, "right", *wrong]
     assert min(times.values()) > 0
 
 

@@ -20,7 +20,8 @@ from typing import Any
 import numpy as np
 
 from content.chapters import list_required, list_taught
-from labutils.checks.table import WORDS, CheckTable, encode, is_same_array, part_to_words
+from labutils.checks.table import WORDS, CheckTable
+from labutils.checks.writing import encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
 from tools.derive.contract import find_gaps, make_contract
