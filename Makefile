@@ -73,10 +73,12 @@ lint: setup ## check style and types
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
+	@$(RUN) -m tools.build.javascript check
 
 format: setup ## rewrite the source in the house style
 	@$(RUN) -m ruff check --fix .
 	@$(RUN) -m ruff format .
+	@$(RUN) -m tools.build.javascript format
 
 check: lint test ## what CI runs
 

@@ -1,6 +1,6 @@
 // The bar above the exercises of a page: how many are solved, and the progress as a file, the same
 // that a notebook writes and reads.
-(function () {
+(() => {
   const { progress, python } = window.cameraLab;
 
   function makeButton(text, onClick) {

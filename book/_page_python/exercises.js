@@ -1,6 +1,6 @@
 // Turns the exercise cells of a page into editors with buttons. Without this script the page is
 // plain: the starter, the check, and how to ask for a hint in a notebook.
-(function () {
+(() => {
   const { progress, python } = window.cameraLab;
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";

@@ -6,7 +6,7 @@
 //   localStorage["camera-lab-book.result.<name>"]    {"code", "said"} of the last check
 //
 // Where the browser keeps nothing, the page works with what this tab remembers.
-(function () {
+(() => {
   const PREFIX = "camera-lab-book.";
   const FILE_NAME = "labutils-progress.json";
   const VERSION = 1;

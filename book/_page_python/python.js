@@ -1,6 +1,6 @@
 // The one Python of a page: loads it on the first click, runs one piece of code after the other,
 // and ends it where code does not end. worker.js is the other end.
-(function () {
+(() => {
   const data = JSON.parse(document.getElementById("exercise-data").textContent);
   const base = new URL(data.base, document.baseURI).href;
   const AGAIN = "The next check starts it anew.";
@@ -80,7 +80,8 @@
       worker.postMessage({ kind: "boot", assets, remote: data.remote, lock: data.lock });
     });
     worker.onmessage = ({ data: message }) => hear(message);
-    worker.onerror = (event) => finish({ result: "stopped", error: `Python failed: ${event.message}` });
+    worker.onerror = (event) =>
+      finish({ result: "stopped", error: `Python failed: ${event.message}` });
   }
 
   const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -142,7 +143,8 @@
       worker.postMessage({ kind: "run", code, exercise, progress, table: isNew ? content : null });
     } catch (error) {
       end();
-      if (current === job) finish({ result: "stopped", error: `Python did not start: ${error.message}.` });
+      if (current === job)
+        finish({ result: "stopped", error: `Python did not start: ${error.message}.` });
     }
   }
 
@@ -167,7 +169,10 @@
     } else if (current?.exercise === exercise) {
       const { isRunning } = current;
       if (isRunning) end();
-      finish({ result: "stopped", error: isRunning ? `Stopped. ${AGAIN}` : "Stopped before it began." });
+      finish({
+        result: "stopped",
+        error: isRunning ? `Stopped. ${AGAIN}` : "Stopped before it began.",
+      });
     }
   }
 

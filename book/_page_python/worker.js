@@ -1,6 +1,7 @@
 // Python for the exercise cells, in a worker. The page sends {kind: "boot"} once, then {kind: "run"};
 // python.js is the other end. This script comes from a blob, as a classic worker: a module worker
 // cannot be started on a page that is opened from a file.
+// biome-ignore lint/suspicious/noRedundantUseStrict: a script, although Biome takes it for a module
 "use strict";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
@@ -38,7 +39,9 @@ function serveFiles(assets) {
     throw new TypeError("not in a module worker");
   };
   self.fetch = async (request) => {
-    const name = String(request.url ?? request).split("/").pop();
+    const name = String(request.url ?? request)
+      .split("/")
+      .pop();
     const blob = assets[`vendor/${name}`];
     if (!blob) throw new TypeError(`Python in the page asks for nothing else: ${name}`);
     const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
@@ -76,7 +79,9 @@ async function boot({ assets, remote, lock }) {
     importAsset(assets["vendor/pyodide.asm.mjs"]),
   ]);
   // inflated while Pyodide compiles
-  const archives = Object.keys(assets).filter((name) => name.endsWith(".zip") && !name.includes("stdlib"));
+  const archives = Object.keys(assets).filter(
+    (name) => name.endsWith(".zip") && !name.includes("stdlib"),
+  );
   const unpacked = archives.map((name) => inflateBytes(assets[name]));
   const runner = inflateBytes(assets["page_runner.py"]);
   pyodide = await loadPyodide({

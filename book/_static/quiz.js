@@ -4,7 +4,7 @@
 //   localStorage["camera-lab-book"] = {"version": 1, "quiz": {"2a": {"choice": 1, "right": true}}}
 //
 // Other parts of the book may keep their own entries beside "quiz".
-(function () {
+(() => {
   const KEY = "camera-lab-book";
   const VERSION = 1;
 
@@ -61,7 +61,9 @@
     const said = item.answers.querySelector(`[data-choice="${choice}"]`);
     const again = item.answers.querySelector(".quiz-again");
     const isRight = choice === item.right;
-    item.feedback.replaceChildren(...(isRight ? [said] : [said, again]).map((p) => p.cloneNode(true)));
+    item.feedback.replaceChildren(
+      ...(isRight ? [said] : [said, again]).map((p) => p.cloneNode(true)),
+    );
     item.form.dataset.verdict = isRight ? "right" : "wrong";
   }
 
@@ -104,7 +106,9 @@
       again.disabled = !answered;
     }
     again.addEventListener("click", () => {
-      update((quiz) => items.forEach((item) => delete quiz[item.id]));
+      update((quiz) => {
+        for (const item of items) delete quiz[item.id];
+      });
       for (const item of items) {
         item.form.reset();
         clear(item);

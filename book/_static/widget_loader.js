@@ -2,13 +2,13 @@
 // It names the vendored files, so that the widget manager asks no CDN. The two
 // "@jupyter-widgets" lines are for its icon fonts: it finds them through the
 // address of its own module and otherwise misses them now and then.
-(function () {
+(() => {
   const here = document.currentScript.src.replace(/[^/]*$/, "");
-  const folder = here + "widgets";
-  window.__jupyter_widgets_assets_path__ = folder + "/";
+  const folder = `${here}widgets`;
+  window.__jupyter_widgets_assets_path__ = `${folder}/`;
   window.requirejs.config({
     paths: {
-      anywidget: folder + "/anywidget",
+      anywidget: `${folder}/anywidget`,
       "@jupyter-widgets": folder,
       "@jupyter-widgets/html-manager/dist": folder,
     },

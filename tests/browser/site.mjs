@@ -47,7 +47,8 @@ async function search(browser, site) {
   const tab = await openPage(browser, site, PAGE);
   const { page, complaints } = tab;
   const field = page.locator("input[type=search]:visible").first();
-  if (!(await field.count())) await page.click(".search-button__button:visible, .search-button-field:visible");
+  if (!(await field.count()))
+    await page.click(".search-button__button:visible, .search-button-field:visible");
   await field.fill(WORD);
   await Promise.all([page.waitForURL(/search\.html/), field.press("Enter")]);
   await page.waitForSelector("#search-results .search-summary");

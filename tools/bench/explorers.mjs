@@ -33,7 +33,10 @@ async function dragAll(box, { frames, hardest }) {
     if (new RegExp(hardest, "i").test(handle.getAttribute("aria-label"))) continue;
     const press = (key) =>
       handle.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
-    for (const [start, key] of [["Home", "PageUp"], ["End", "PageDown"]]) {
+    for (const [start, key] of [
+      ["Home", "PageUp"],
+      ["End", "PageDown"],
+    ]) {
       press(start);
       for (let frame = 0; frame < frames / 2; frame++) {
         await nextFrame();

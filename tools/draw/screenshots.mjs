@@ -24,7 +24,7 @@ if (!folder || !out) {
   console.error("usage: node tools/draw/screenshots.mjs HTML_FOLDER OUT [page ...]");
   process.exit(2);
 }
-const site = pathToFileURL(resolve(folder) + "/").href;
+const site = pathToFileURL(`${resolve(folder)}/`).href;
 
 const browser = await browsing.launch();
 const pages = wanted.length ? wanted : await browsing.pagesOfContents(browser, site);

@@ -36,7 +36,8 @@ export function makeCanvasPainter(canvas, cloud) {
       // thin out where this was too slow, take more where there is time, draw all once it rests
       if (spent > BUDGET_MS) stride = Math.min(MAX_STRIDE, stride + 1);
       else if (stride > 1 && spent * (stride / (stride - 1)) ** 2 < 0.7 * BUDGET_MS) stride -= 1;
-      if (Number(canvas.dataset.stride) > 1) timer = setTimeout(() => paint(look, colors, 1), SETTLE_MS);
+      if (Number(canvas.dataset.stride) > 1)
+        timer = setTimeout(() => paint(look, colors, 1), SETTLE_MS);
     },
     destroy() {
       clearTimeout(timer);

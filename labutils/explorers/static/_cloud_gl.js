@@ -40,7 +40,10 @@ export function makeGlPainter(canvas, cloud) {
   if (!gl || gl.isContextLost()) return null;
   const program = linkProgram(gl);
   const places = Object.fromEntries(
-    ["columns", "K", "depth", "rows", "view", "size"].map((name) => [name, gl.getUniformLocation(program, name)]),
+    ["columns", "K", "depth", "rows", "view", "size"].map((name) => [
+      name,
+      gl.getUniformLocation(program, name),
+    ]),
   );
   const count = cloud.steps.length;
   const array = gl.createVertexArray();

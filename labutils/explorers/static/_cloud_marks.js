@@ -31,16 +31,27 @@ export function makeMarks(parent, cloud) {
   return function drawMarks(look, point) {
     const { pageWidth: width, pageHeight: height, pageFocal: focal, eyeFromCamera, K } = look;
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    const trace = (lines) => lines.map(([from, to]) => {
-      const ends = projectLine(from, to, focal, width, height);
-      return ends.length ? `M${ends[0].map(round)}L${ends[1].map(round)}` : "";
-    }).join("");
+    const trace = (lines) =>
+      lines
+        .map(([from, to]) => {
+          const ends = projectLine(from, to, focal, width, height);
+          return ends.length ? `M${ends[0].map(round)}L${ends[1].map(round)}` : "";
+        })
+        .join("");
     const inEye = (points) => points.map((one) => movePoint(eyeFromCamera, one));
     const around = (corners) => corners.map((one, i) => [one, corners[(i + 1) % corners.length]]);
 
     const [right, bottom] = [cloud.width - 0.5, cloud.height - 0.5]; // outer edges of the outer pixels
-    const pixels = [[-0.5, -0.5], [right, -0.5], [right, bottom], [-0.5, bottom]];
-    const [apex, ...corners] = inEye([[0, 0, 0], ...pixels.map(([u, v]) => pixelToPoint(u, v, reach, K))]);
+    const pixels = [
+      [-0.5, -0.5],
+      [right, -0.5],
+      [right, bottom],
+      [-0.5, bottom],
+    ];
+    const [apex, ...corners] = inEye([
+      [0, 0, 0],
+      ...pixels.map(([u, v]) => pixelToPoint(u, v, reach, K)),
+    ]);
     frustum.setAttribute("d", trace([...around(corners), ...corners.map((one) => [apex, one])]));
     cloud.faces.forEach(([, three], i) => {
       faces[i].setAttribute("d", trace(around(inEye(findCorners(cloud, three, K)))));
@@ -51,7 +62,14 @@ export function makeMarks(parent, cloud) {
     axes.forEach(({ line, letter }, i) => {
       const tip = [0, 1, 2].map((j) => (i === j ? AXIS_LENGTH : 0));
       line.setAttribute("d", trace([[origin, movePoint(eyeFromBase, tip)]]));
-      placeAt(letter, movePoint(eyeFromBase, tip.map((value) => 1.25 * value)), ["x", "y"]);
+      placeAt(
+        letter,
+        movePoint(
+          eyeFromBase,
+          tip.map((value) => 1.25 * value),
+        ),
+        ["x", "y"],
+      );
     });
 
     const place = point && movePoint(eyeFromCamera, point);

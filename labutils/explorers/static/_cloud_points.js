@@ -32,7 +32,8 @@ export function makeCounter(cloud) {
     if (far === asked) return sum;
     [asked, sum] = [far, 0];
     for (let step = 0; step < counts.length; step++) {
-      if (counts[step] && isValid(cloud, Math.fround(step * cloud.depthStep), far)) sum += counts[step];
+      if (counts[step] && isValid(cloud, Math.fround(step * cloud.depthStep), far))
+        sum += counts[step];
     }
     return sum;
   };
@@ -45,7 +46,10 @@ export function findPoint(cloud, pixel, K, far) {
   const depth = readDepth(cloud, ...pixel);
   if (!isValid(cloud, depth, far)) return nothing;
   const point = pixelToPoint(...pixel, depth, K);
-  return { point_camera: point, point_world: cloud.worldFromCamera && movePoint(cloud.worldFromCamera, point) };
+  return {
+    point_camera: point,
+    point_world: cloud.worldFromCamera && movePoint(cloud.worldFromCamera, point),
+  };
 }
 
 /** The corners of a face: its pixels as points of the camera frame. */

@@ -8,8 +8,12 @@ const HALF = 1 << (SHIFT - 1);
 
 // 255 / v and 30 / (max - min) as whole numbers of 1/4096; no entry lies halfway between two, so
 // this rounding is also OpenCV's, which prefers even numbers
-const PER_VALUE = Int32Array.from({ length: 256 }, (_, v) => (v ? Math.round((255 << SHIFT) / v) : 0));
-const PER_SPREAD = Int32Array.from({ length: 256 }, (_, d) => (d ? Math.round((30 << SHIFT) / d) : 0));
+const PER_VALUE = Int32Array.from({ length: 256 }, (_, v) =>
+  v ? Math.round((255 << SHIFT) / v) : 0,
+);
+const PER_SPREAD = Int32Array.from({ length: 256 }, (_, d) =>
+  d ? Math.round((30 << SHIFT) / d) : 0,
+);
 
 /** Convert `count` pixels of `channels` bytes each, red first, to a plane of each of H, S and V. */
 export function rgbToHsv(rgb, count, channels = 3) {

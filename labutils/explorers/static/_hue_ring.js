@@ -61,10 +61,13 @@ export function makeHueRing(parent, model) {
       const wanted = [from, to, sLow, sHigh].join();
       if (wanted === drawn) return;
       drawn = wanted;
-      hues.forEach((path, hue) => path.classList.toggle("lit", isHueInside(hue, from, to)));
+      for (const [hue, path] of hues.entries()) {
+        path.classList.toggle("lit", isHueInside(hue, from, to));
+      }
       sector.setAttribute("d", drawSector(from, to, (sLow / 255) * DISC, (sHigh / 255) * DISC));
       caption.textContent = `hue ${from} to ${to}${from > to ? ", through 0" : ""}`;
-      ends.forEach(({ handle, radius }, i) => placeEnd(handle, [from, to][i], radius));
+      placeEnd(ends[0].handle, from, ends[0].radius);
+      placeEnd(ends[1].handle, to, ends[1].radius);
     },
   };
 }

@@ -29,7 +29,8 @@ export function joinTransforms(first, second) {
   const out = [];
   for (const i of [0, 4, 8]) {
     for (let j = 0; j < 4; j++) {
-      const sum = first[i] * second[j] + first[i + 1] * second[4 + j] + first[i + 2] * second[8 + j];
+      const sum =
+        first[i] * second[j] + first[i + 1] * second[4 + j] + first[i + 2] * second[8 + j];
       out.push(sum + (j === 3 ? first[i + 3] : 0));
     }
   }
@@ -38,7 +39,8 @@ export function joinTransforms(first, second) {
 
 /** A point through a transform. */
 export function movePoint(transform, [x, y, z]) {
-  const row = (i) => transform[i] * x + transform[i + 1] * y + transform[i + 2] * z + transform[i + 3];
+  const row = (i) =>
+    transform[i] * x + transform[i + 1] * y + transform[i + 2] * z + transform[i + 3];
   return [row(0), row(4), row(8)];
 }
 

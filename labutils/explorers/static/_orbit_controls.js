@@ -8,9 +8,18 @@ const DEGREES_PER_KEY = 5;
 const ZOOM_PER_PRESS = 1.2;
 const CLICK_SLACK = { mouse: 3, pen: 6, touch: 10 }; // pixels a press may move and still be a click
 const KEY_TURNS = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-const KEY_ZOOMS = { "+": 1 / ZOOM_PER_PRESS, "=": 1 / ZOOM_PER_PRESS, "-": ZOOM_PER_PRESS, _: ZOOM_PER_PRESS };
+const KEY_ZOOMS = {
+  "+": 1 / ZOOM_PER_PRESS,
+  "=": 1 / ZOOM_PER_PRESS,
+  "-": ZOOM_PER_PRESS,
+  _: ZOOM_PER_PRESS,
+};
 
-const NAMED_VIEWS = { camera: "view of the camera", above: "view from above", side: "view from the side" };
+const NAMED_VIEWS = {
+  camera: "view of the camera",
+  above: "view from above",
+  side: "view from the side",
+};
 
 /**
  * Let the reader turn `surface`; the trait `orbit` holds the place. A press that does not move
@@ -65,7 +74,9 @@ export function makeOrbitControls({ model, frame, surface, pick }) {
     (event) => {
       if (!event.ctrlKey && !surface.matches(":focus")) return;
       event.preventDefault();
-      look(zoomOrbit(model.get("orbit"), Math.exp(Math.max(-60, Math.min(60, event.deltaY)) / 300)));
+      look(
+        zoomOrbit(model.get("orbit"), Math.exp(Math.max(-60, Math.min(60, event.deltaY)) / 300)),
+      );
       model.save_changes();
     },
     { passive: false },

@@ -57,7 +57,10 @@ function dimBytes(rgba) {
 /** White on black: one of the two stands out from anything. */
 function drawCross(context, x, y) {
   context.lineCap = "round";
-  for (const [color, width] of [["#000", 7], ["#fff", 3]]) {
+  for (const [color, width] of [
+    ["#000", 7],
+    ["#fff", 3],
+  ]) {
     context.strokeStyle = color;
     context.lineWidth = width;
     context.beginPath();

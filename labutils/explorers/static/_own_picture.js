@@ -120,7 +120,10 @@ function dropOn(target, place, read) {
 
 /** Draw a picture or a frame of a video, made to fit `size`; transparent pixels become white. */
 function shrinkPicture(source, size) {
-  const [fullWidth, fullHeight] = [source.videoWidth ?? source.width, source.videoHeight ?? source.height];
+  const [fullWidth, fullHeight] = [
+    source.videoWidth ?? source.width,
+    source.videoHeight ?? source.height,
+  ];
   const scale = Math.min(1, size.width / fullWidth, size.height / fullHeight);
   const width = Math.max(1, Math.round(fullWidth * scale));
   const height = Math.max(1, Math.round(fullHeight * scale));

@@ -17,7 +17,10 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application"); // arrow keys are for the page, not the screen reader
   canvas.setAttribute("aria-roledescription", "pixel picker");
-  canvas.setAttribute("aria-label", `${label}. Arrow keys choose a pixel, with Shift in steps of ten`);
+  canvas.setAttribute(
+    "aria-label",
+    `${label}. Arrow keys choose a pixel, with Shift in steps of ten`,
+  );
 
   const choose = (u, v) => {
     const clamp = (value, size) => Math.min(size - 1, Math.max(0, Math.round(value)));

@@ -25,12 +25,16 @@ export function makeRays(parent) {
       const half = (end * (area.right - area.left)) / (area.bottom - area.top) / 2;
       plot.setLimits([-half, half], [0, end]);
       const place = ([right, z]) => [plot.x(right), plot.y(z)];
-      eyes.forEach((eye, i) => setShape(eye, { cx: plot.x(i * baseline), cy: plot.y(0) }));
-      const shapes = depth === null ? null : findShapes([u, values.u_right], K, baseline, error, 2 * end);
+      for (const [i, eye] of eyes.entries()) {
+        setShape(eye, { cx: plot.x(i * baseline), cy: plot.y(0) });
+      }
+      const shapes =
+        depth === null ? null : findShapes([u, values.u_right], K, baseline, error, 2 * end);
       rays.show(shapes, place);
       const bounded = depth !== null && z_far !== null;
       lens.show(bounded ? shapes : null, values, place);
-      note.textContent = depth === null ? "no surface" : bounded ? "" : formatInterval(z_near, z_far);
+      note.textContent =
+        depth === null ? "no surface" : bounded ? "" : formatInterval(z_near, z_far);
       const finding = `a match ${error.toFixed(1)} px off leaves depths of ${formatInterval(z_near, z_far)}`;
       const label = depth === null ? "no surface, so no rays" : finding;
       setShape(plot.svg, { "aria-label": `From above: ${label}` });
@@ -40,7 +44,9 @@ export function makeRays(parent) {
 
 export function formatInterval(zNear, zFar) {
   if (zNear === null) return "none";
-  return zFar === null ? `${zNear.toFixed(3)} m or more` : `${zNear.toFixed(3)} to ${zFar.toFixed(3)} m`;
+  return zFar === null
+    ? `${zNear.toFixed(3)} m or more`
+    : `${zNear.toFixed(3)} to ${zFar.toFixed(3)} m`;
 }
 
 /** Corners in meters, [right, depth]: the wedge of each eye, and the diamond where they overlap. */
@@ -65,7 +71,9 @@ function makeShapes(parent) {
   return {
     show(shapes, place) {
       const draw = (corners) => (shapes ? `${toPath(corners.map(place))}Z` : "");
-      wedges.forEach((wedge, eye) => setShape(wedge, { d: draw(shapes?.wedges[eye]) }));
+      for (const [eye, wedge] of wedges.entries()) {
+        setShape(wedge, { d: draw(shapes?.wedges[eye]) });
+      }
       setShape(diamond, { d: draw(shapes?.diamond) });
     },
   };
@@ -81,7 +89,9 @@ function makeLens(parent, area) {
   const window = addWindow(group, { left: 0, top: 0, right: LENS.width, bottom: LENS.height });
   setShape(window, { y: top });
   const shapes = makeShapes(window);
-  const [farText, nearText, scaleText] = [0, 1, 2].map(() => addShape(group, "text", { class: "halo" }));
+  const [farText, nearText, scaleText] = [0, 1, 2].map(() =>
+    addShape(group, "text", { class: "halo" }),
+  );
   setShape(farText, { y: top + 16 });
   setShape(nearText, { y: top + LENS.height - 7 });
   setShape(scaleText, { y: top + LENS.height + 18 });
@@ -101,7 +111,9 @@ function makeLens(parent, area) {
         LENS.height / 2 - (z - midZ) * scale,
       ];
       shapes.show(found, enlarge);
-      setShape(leader, { d: `M${here}L${onLeft ? left + LENS.width : left} ${top + LENS.height / 2}` });
+      setShape(leader, {
+        d: `M${here}L${onLeft ? left + LENS.width : left} ${top + LENS.height / 2}`,
+      });
       // each end is written on the side that the rays leave free
       const sides = { low: [left + 4, "start"], high: [left + LENS.width - 4, "end"] };
       const leansLeft = tip[0] < near[0];

@@ -43,6 +43,9 @@ export function drawTopView(svg, fovX, landmarks) {
     add(svg, "circle", { cx: x, cy: y, r: 6, fill: one.color, class: kind });
   }
   add(svg, "path", { d: `M${CAMERA} l-9 20 h18 Z`, class: "explorer-eye" });
-  svg.setAttribute("aria-label", `From above: ${inside.length} of ${landmarks.length} objects lie between the rays`);
+  svg.setAttribute(
+    "aria-label",
+    `From above: ${inside.length} of ${landmarks.length} objects lie between the rays`,
+  );
   return inside.sort((a, b) => a.x / a.z - b.x / b.z).map(({ name }) => name);
 }

@@ -4,9 +4,15 @@
 import { makeCanvasPainter } from "./_cloud_canvas.js";
 import { makeGlPainter } from "./_cloud_gl.js";
 import { makeMarks } from "./_cloud_marks.js";
-import { assumeIntrinsics, colorPoints, findPoint, makeCounter, measureAngle } from "./_cloud_points.js";
+import {
+  assumeIntrinsics,
+  colorPoints,
+  findPoint,
+  makeCounter,
+  measureAngle,
+} from "./_cloud_points.js";
 import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
-import { FROM_WORLD, STAY, focalOfView, joinTransforms, makeEyeTransform } from "./_orbit.js";
+import { FROM_WORLD, focalOfView, joinTransforms, makeEyeTransform, STAY } from "./_orbit.js";
 import { makeOrbitButtons, makeOrbitControls } from "./_orbit_controls.js";
 import { makePicker } from "./_picker.js";
 import { decodePng, toImageData } from "./_png.js";
@@ -90,7 +96,10 @@ function readCloud(model, image, depth) {
   const palette32 = new Uint32Array(256);
   const palette = new Uint8Array(palette32.buffer); // red, green, blue, opaque, on any machine
   for (let i = 0; i < 256; i++) {
-    palette.set([bytes.getUint8(3 * i), bytes.getUint8(3 * i + 1), bytes.getUint8(3 * i + 2), 255], 4 * i);
+    palette.set(
+      [bytes.getUint8(3 * i), bytes.getUint8(3 * i + 1), bytes.getUint8(3 * i + 2), 255],
+      4 * i,
+    );
   }
   return {
     width: depth.width,
@@ -170,7 +179,10 @@ function makeScale(parent, cloud) {
   const low = make("span", "", scale);
   const bar = make("span", "explorer-cloud-bar", scale);
   const high = make("span", "", scale);
-  const stops = Array.from({ length: 18 }, (_, i) => `rgb(${cloud.palette.slice(60 * i, 60 * i + 3)})`);
+  const stops = Array.from(
+    { length: 18 },
+    (_, i) => `rgb(${cloud.palette.slice(60 * i, 60 * i + 3)})`,
+  );
   bar.style.background = `linear-gradient(to right, ${stops.join(", ")})`;
   return (mode) => {
     scale.style.visibility = mode ? "visible" : "hidden";

@@ -1,7 +1,13 @@
 // Depth convention: from the raw value of a depth buffer to meters, and what one step is worth.
 
-import { floatLevels, gapMm, integerLevels, metricToRaw } from "./_depth.js";
-import { processDepth, reversedGapMm } from "./_depth.js";
+import {
+  floatLevels,
+  gapMm,
+  integerLevels,
+  metricToRaw,
+  processDepth,
+  reversedGapMm,
+} from "./_depth.js";
 import { defineView, drawOnChange, make, setTraits } from "./_frame.js";
 import { addShape, makePlot, PLOT_WIDTH, setShape, toPath } from "./_plot.js";
 
@@ -16,7 +22,11 @@ function start(model, frame) {
   const pair = make("div", "explorer-pair", frame.stage);
   const curve = makeCurve(pair);
   const table = makeTable(pair);
-  const get = () => [model.get("raw"), model.get("nears")[model.get("near_place")], model.get("far")];
+  const get = () => [
+    model.get("raw"),
+    model.get("nears")[model.get("near_place")],
+    model.get("far"),
+  ];
   makeDraggable(curve.plot.svg, curve.plot.area, {
     get() {
       const [raw, near, far] = get();
@@ -52,15 +62,22 @@ export function readRaw(raw, near, far) {
 
 /** The hyperbola with the point on it, and the two readings that are wrong. */
 function makeCurve(parent) {
-  const plot = makePlot(parent, { height: 270, x: { label: "depth (m)" }, y: { label: "raw value" } });
+  const plot = makePlot(parent, {
+    height: 270,
+    x: { label: "depth (m)" },
+    y: { label: "raw value" },
+  });
   const { area, inside, above } = plot;
   const reversed = addShape(inside, "path", { class: "explorer-rival dotted" });
   const linear = addShape(inside, "path", { class: "explorer-rival dashed" });
   const curve = addShape(inside, "path", { class: "explorer-curve" });
   const gap = addShape(above, "path", { class: "explorer-gap" });
-  const rivals = [0, 1].map(() => addShape(above, "circle", { r: 5, class: "explorer-rival-point" }));
+  const rivals = [0, 1].map(() =>
+    addShape(above, "circle", { r: 5, class: "explorer-rival-point" }),
+  );
   const point = addShape(above, "circle", { r: 7, class: "explorer-point" });
-  const write = (x, y, name, text) => addShape(above, "text", { x, y, class: `halo ${name}` }, text);
+  const write = (x, y, name, text) =>
+    addShape(above, "text", { x, y, class: `halo ${name}` }, text);
   write(area.left + 46, area.top + 24, "", "true");
   write((area.left + area.right) / 2 + 12, (area.top + area.bottom) / 2 + 12, "soft", "linear");
   write(area.right - 66, area.bottom - 8, "soft", "reversed");
@@ -81,9 +98,11 @@ function makeCurve(parent) {
         setShape(linear, { d: `M${plot.x(near)} ${plot.y(0)}L${plot.x(far)} ${plot.y(1)}` });
       }
       const [x, y] = [plot.x(values.depth), plot.y(raw)];
-      const wrong = [values.linear_error, values.reversed_error].map((one) => plot.x(values.depth + one));
+      const wrong = [values.linear_error, values.reversed_error].map((one) =>
+        plot.x(values.depth + one),
+      );
       setShape(point, { cx: x, cy: y });
-      rivals.forEach((rival, i) => setShape(rival, { cx: wrong[i], cy: y }));
+      for (const [i, rival] of rivals.entries()) setShape(rival, { cx: wrong[i], cy: y });
       setShape(gap, { d: `M${Math.min(x, ...wrong)} ${y}H${Math.max(x, ...wrong)}` });
       const half = processDepth(0.5, near, far);
       const finding = `Raw value over depth: half of the scale ends at ${formatMeters(half)}`;

@@ -1,9 +1,22 @@
 // Depth range: which depths get the colors, and where they lie in the raw buffer.
 
 import { metricToRaw } from "./_depth.js";
-import { FARTHER, INSIDE, LEVELS, NEARER, NO_SURFACE } from "./_depth_picture.js";
-import { binMetric, binRaw, countKinds, countSteps, findKind } from "./_depth_picture.js";
-import { findStripe, paintDepth, readTable, toStep } from "./_depth_picture.js";
+import {
+  binMetric,
+  binRaw,
+  countKinds,
+  countSteps,
+  FARTHER,
+  findKind,
+  findStripe,
+  INSIDE,
+  LEVELS,
+  NEARER,
+  NO_SURFACE,
+  paintDepth,
+  readTable,
+  toStep,
+} from "./_depth_picture.js";
 import { defineView, drawOnChange, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
 import { addShape, makePlot, setShape } from "./_plot.js";
@@ -24,7 +37,10 @@ async function start(model, frame) {
   const tables = model.get("color_names").map((_, place) => readTable(all, place * 768));
 
   const counts = countSteps(pixels);
-  const bins = [binMetric(counts, BINS, upper, step, valid), binRaw(counts, BINS, step, valid, clip)];
+  const bins = [
+    binMetric(counts, BINS, upper, step, valid),
+    binRaw(counts, BINS, step, valid, clip),
+  ];
   const closest = step * counts.findIndex((n, steps) => n && steps > valid[0] && steps < valid[1]);
 
   const canvas = makeCanvas(frame.stage, width, height, "Depth");
@@ -68,7 +84,9 @@ async function start(model, frame) {
     charts[0].show(range, depth);
     charts[1].show(values.raw_range, values.pixel_raw);
     const rest = `all surfaces lie above ${values.raw_closest.toFixed(3)}`;
-    charts[0].say(`Metric depth: ${values.share_inside.toFixed(1)} % of the pixels are in the range`);
+    charts[0].say(
+      `Metric depth: ${values.share_inside.toFixed(1)} % of the pixels are in the range`,
+    );
     charts[1].say(`Raw window depth: ${rest}; most of the scale is empty`);
     frame.tell(inWords(values, range, [u, v]), values);
   });
@@ -100,7 +118,10 @@ function makeColorBar(parent) {
       [near, (near + far) / 2, far].forEach((meters, place) => {
         ends[place].textContent = `${meters.toFixed(2)} m`;
       });
-      canvas.setAttribute("aria-label", `Color bar from ${near.toFixed(2)} m to ${far.toFixed(2)} m`);
+      canvas.setAttribute(
+        "aria-label",
+        `Color bar from ${near.toFixed(2)} m to ${far.toFixed(2)} m`,
+      );
     },
   };
 }
@@ -144,7 +165,9 @@ function makeHistogram(parent, counts, label, limits) {
     show([low, high], value) {
       const [from, to] = [plot.x(clamp(low)), plot.x(clamp(high))];
       setShape(band, { x: from, width: Math.max(to - from, 0) });
-      setShape(edges, { d: `M${from} ${area.top}V${area.bottom}M${to} ${area.top}V${area.bottom}` });
+      setShape(edges, {
+        d: `M${from} ${area.top}V${area.bottom}M${to} ${area.top}V${area.bottom}`,
+      });
       const at = value === null ? "" : plot.x(clamp(value)).toFixed(2);
       setShape(mark, { d: at && `M${at} ${area.bottom}V${area.top}m0 0l-5 -8h10Z` });
     },

@@ -65,11 +65,11 @@ function makeMatrix(parent) {
   });
   return {
     show(K) {
-      K.forEach((row, i) =>
-        row.forEach((value, j) => {
+      for (const [i, row] of K.entries()) {
+        for (const [j, value] of row.entries()) {
           cells[i][j].textContent = Number.isInteger(value) ? value : value.toFixed(1);
-        }),
-      );
+        }
+      }
     },
   };
 }

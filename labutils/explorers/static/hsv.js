@@ -3,8 +3,8 @@
 
 import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
 import { makeHueRing } from "./_hue_ring.js";
-import { acceptPictures } from "./_own_picture.js";
 import { makeOverlay } from "./_overlay.js";
+import { acceptPictures } from "./_own_picture.js";
 import { makePicker } from "./_picker.js";
 import { decodePng } from "./_png.js";
 import { makeSegmenter } from "./_segment.js";

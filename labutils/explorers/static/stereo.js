@@ -6,8 +6,15 @@ import { makePicker } from "./_picker.js";
 import { addShape, makePlot, setShape, toPath } from "./_plot.js";
 import { decodePng, toImageData } from "./_png.js";
 import { formatInterval, makeRays } from "./_rays.js";
-import { findDisparity, findInterval, findLargestError, findLinearError } from "./_stereo.js";
-import { findRightState, HIDDEN, OUTSIDE } from "./_stereo.js";
+import {
+  findDisparity,
+  findInterval,
+  findLargestError,
+  findLinearError,
+  findRightState,
+  HIDDEN,
+  OUTSIDE,
+} from "./_stereo.js";
 
 const [NEAREST, FARTHEST, CURVE_STEPS] = [0.1, 10, 100];
 
@@ -94,7 +101,10 @@ function makeKey(parent) {
     ["explorer-right-mark", "its place in the right eye's picture"],
   ]) {
     const item = make("span", "explorer-key-item", key);
-    make("span", `explorer-mark explorer-key-mark ${shape}`, item).setAttribute("aria-hidden", "true");
+    make("span", `explorer-mark explorer-key-mark ${shape}`, item).setAttribute(
+      "aria-hidden",
+      "true",
+    );
     item.append(text);
   }
 }
@@ -111,10 +121,20 @@ function makeErrorCurve(parent) {
   setShape(beyond, { height: area.bottom - area.top });
   const linear = addShape(inside, "path", { class: "explorer-rival dashed" });
   const exact = addShape(inside, "path", { class: "explorer-curve" });
-  const note = addShape(above, "text", { class: "halo soft", "text-anchor": "end" }, "no far limit");
+  const note = addShape(
+    above,
+    "text",
+    { class: "halo soft", "text-anchor": "end" },
+    "no far limit",
+  );
   setShape(note, { x: area.right - 4, y: area.top + 16 });
   const point = addShape(above, "circle", { r: 7, class: "explorer-point" });
-  const name = addShape(above, "text", { class: "halo soft", "text-anchor": "end" }, "dashed: Z² e / (f b)");
+  const name = addShape(
+    above,
+    "text",
+    { class: "halo soft", "text-anchor": "end" },
+    "dashed: Z² e / (f b)",
+  );
   setShape(name, { x: area.right - 4, y: area.bottom - 10 });
   return {
     show({ depth, error_mm }, focal, baseline, error) {
@@ -138,7 +158,8 @@ function makeErrorCurve(parent) {
         setShape(point, { cx: plot.x(Math.max(depth, NEAREST)), cy: plot.y(inLimits) });
       }
       const [one, two] = [1, 2].map((z) => findLargestError(z, error, focal, baseline));
-      const tell = (meters) => (meters === null ? "without limit" : `${(1000 * meters).toFixed(1)} mm`);
+      const tell = (meters) =>
+        meters === null ? "without limit" : `${(1000 * meters).toFixed(1)} mm`;
       const label = `Depth error over depth: ${tell(one)} at 1 m, ${tell(two)} at 2 m`;
       setShape(plot.svg, { "aria-label": label });
     },
@@ -147,11 +168,18 @@ function makeErrorCurve(parent) {
 
 function inWords(values, [u, v], baseline, error) {
   if (u === undefined) return "Choose a point in the picture.";
-  if (values.depth === null) return `Pixel (${u}, ${v}) sees no surface, so there is nothing to match.`;
+  if (values.depth === null)
+    return `Pixel (${u}, ${v}) sees no surface, so there is nothing to match.`;
   const hidden = `${values.u_right.toFixed(1)}, but something nearer hides it`;
-  const column = ["outside its picture", `at column ${values.u_right.toFixed(1)}`, `at column ${hidden}`];
+  const column = [
+    "outside its picture",
+    `at column ${values.u_right.toFixed(1)}`,
+    `at column ${hidden}`,
+  ];
   const worst =
-    values.error_mm === null ? "it could be infinitely far" : `up to ${values.error_mm.toFixed(1)} mm off`;
+    values.error_mm === null
+      ? "it could be infinitely far"
+      : `up to ${values.error_mm.toFixed(1)} mm off`;
   return (
     `Pixel (${u}, ${v}) at ${values.depth.toFixed(3)} m: disparity ${values.disparity.toFixed(2)} px ` +
     `over ${(1000 * baseline).toFixed(0)} mm; for the right eye it is ${column[values.right]}. ` +

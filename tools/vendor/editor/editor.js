@@ -1,9 +1,14 @@
 // The editor of the exercise cells: the entry that esbuild bundles into one script, whose global is
-// `cameraLabEditor` (see tools/vendor_python.py). Colors are classes; exercises.css gives them.
+// `cameraLabEditor` (see tools/vendor/page_python.py). Colors are classes; exercises.css gives them.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { python } from "@codemirror/lang-python";
-import { bracketMatching, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import {
+  bracketMatching,
+  indentOnInput,
+  indentUnit,
+  syntaxHighlighting,
+} from "@codemirror/language";
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
@@ -27,7 +32,13 @@ const leaveWithTab = EditorView.domEventObservers({
  *   the help line), onChange(text) after the reader edits, onCheck() for Ctrl or Cmd and Enter
  */
 export function createEditor({ parent, text, label, describedBy, onChange, onCheck }) {
-  const check = { key: "Mod-Enter", run: () => (onCheck(), true) };
+  const check = {
+    key: "Mod-Enter",
+    run() {
+      onCheck();
+      return true; // nobody else shall hear of this key
+    },
+  };
   const view = new EditorView({
     parent,
     state: EditorState.create({
