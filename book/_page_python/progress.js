@@ -11,13 +11,14 @@
   const FILE_NAME = "labutils-progress.json";
   const VERSION = 1;
   const MAX_HINTS = 3; // the same limits as in labutils/checks/progress.py
-  const COUNTED = ["mistakes", "relations", "probes"]; // older files have only the first
+  const COUNTED = /** @type {const} */ (["mistakes", "relations", "probes"]); // older files have only the first
   const MAX_FILE = 1_000_000; // characters; a file of ours has a few thousand
 
+  /** @type {Map<string, string>} */
   const remembered = new Map(); // this tab's own, where the browser keeps nothing
   let kept = true;
 
-  function read(key) {
+  function read(/** @type {string} */ key) {
     try {
       const value = localStorage.getItem(PREFIX + key);
       if (value !== null) return value;
@@ -27,7 +28,11 @@
     return remembered.get(key) ?? null;
   }
 
-  /** Store a text; null removes it. */
+  /**
+   * Store a text; null removes it.
+   * @param {string} key
+   * @param {string | null} value
+   */
   function write(key, value) {
     if (value === null) remembered.delete(key);
     else remembered.set(key, value);
@@ -51,10 +56,15 @@
     }
   }
 
-  const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
-  const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
+  const isObject = (/** @type {unknown} */ value) =>
+    typeof value === "object" && value !== null && !Array.isArray(value);
+  const isCount = (/** @type {any} */ value) => Number.isSafeInteger(value) && value >= 0;
 
-  /** Read a progress file by the rules of the library; throws an Error that says what is wrong. */
+  /**
+   * Read a progress file by the rules of the library; throws an Error that says what is wrong.
+   * @param {string} text
+   * @returns {ProgressRecords}
+   */
   function parse(text) {
     if (text.length > MAX_FILE) throw new Error("it is far too long");
     let content;
@@ -69,6 +79,11 @@
     return new Map(entries.map(([name, item]) => [name, parseRecord(name, item)]));
   }
 
+  /**
+   * @param {string} name
+   * @param {any} item
+   * @returns {ProgressRecord}
+   */
   function parseRecord(name, item) {
     const isRecord =
       isObject(item) &&
@@ -82,32 +97,48 @@
       COUNTED.every((kind) => Object.values(item[kind] ?? {}).every(isCount));
     if (!isRecord) throw new Error(`what it says of ${JSON.stringify(name)} is no record`);
     const { passed, attempts, hints, last_property } = item;
-    const counts = COUNTED.map((kind) => [kind, { ...item[kind] }]);
-    return { passed, attempts, hints, last_property, ...Object.fromEntries(counts) };
+    const [mistakes, relations, probes] = COUNTED.map((kind) => ({ ...item[kind] }));
+    return { passed, attempts, hints, last_property, mistakes, relations, probes };
   }
 
-  /** Write records as the library does: names in order, indented by one. */
+  /**
+   * Write records as the library does: names in order, indented by one.
+   * @param {ProgressRecords} records
+   */
   function format(records) {
     const names = [...records.keys()].sort();
     const exercises = Object.fromEntries(names.map((name) => [name, records.get(name)]));
     return `${JSON.stringify({ version: VERSION, exercises }, null, 1)}\n`;
   }
 
-  /** Join two records of one exercise: nothing that was reached gets lost. */
-  function mergeRecord(a, b) {
-    const merged = {};
-    for (const kind of COUNTED) {
-      merged[kind] = { ...a[kind] };
-      for (const [name, count] of Object.entries(b[kind])) {
-        merged[kind][name] = Math.max(count, merged[kind][name] ?? 0);
-      }
+  /**
+   * Join two counts: the larger of each wins.
+   * @param {Counts} a
+   * @param {Counts} b
+   */
+  function mergeCounts(a, b) {
+    const merged = { ...a };
+    for (const [name, count] of Object.entries(b)) {
+      merged[name] = Math.max(count, merged[name] ?? 0);
     }
+    return merged;
+  }
+
+  /**
+   * Join two records of one exercise: nothing that was reached gets lost.
+   * @param {ProgressRecord} a
+   * @param {ProgressRecord} b
+   * @returns {ProgressRecord}
+   */
+  function mergeRecord(a, b) {
     return {
       passed: a.passed || b.passed,
       attempts: Math.max(a.attempts, b.attempts),
       hints: Math.max(a.hints, b.hints),
       last_property: (b.attempts >= a.attempts ? b : a).last_property,
-      ...merged,
+      mistakes: mergeCounts(a.mistakes, b.mistakes),
+      relations: mergeCounts(a.relations, b.relations),
+      probes: mergeCounts(a.probes, b.probes),
     };
   }
 
@@ -119,17 +150,24 @@
     }
   }
 
-  /** Add records to those that are stored; of two that differ, the longer history wins. */
+  /**
+   * Add records to those that are stored; of two that differ, the longer history wins.
+   * @param {ProgressRecords} records
+   */
   function merge(records) {
     const stored = load();
     for (const [name, record] of records) {
-      stored.set(name, stored.has(name) ? mergeRecord(stored.get(name), record) : record);
+      const before = stored.get(name);
+      stored.set(name, before ? mergeRecord(before, record) : record);
     }
     write("progress", format(stored));
     document.dispatchEvent(new CustomEvent("camera-lab-progress"));
   }
 
-  /** Count the next hint of an exercise; return its number, as `hint` of the library does. */
+  /**
+   * Count the next hint of an exercise; return its number, as `hint` of the library does.
+   * @param {string} name
+   */
   function countHint(name) {
     const records = load();
     const empty = { passed: false, attempts: 0, hints: 0, last_property: null, mistakes: {} };
@@ -139,9 +177,9 @@
     return record.hints;
   }
 
-  function readResult(name) {
+  function readResult(/** @type {string} */ name) {
     try {
-      const stored = JSON.parse(read(`result.${name}`));
+      const stored = JSON.parse(read(`result.${name}`) ?? "null");
       return typeof stored?.code === "string" && isObject(stored.said) ? stored : null;
     } catch {
       return null;

@@ -1,8 +1,8 @@
-"""Check or rewrite the JavaScript of the house: Biome, for style and rules.
+"""Check or rewrite the JavaScript of the house: Biome for style and rules, TypeScript for types.
 
-It comes from npm at the version of ``package-lock.json`` (see ``tools/vendor/npm.py``), in a
-build for the machine at hand that needs no script at its install. ``biome.jsonc`` says what is
-asked.
+Both come from npm at the versions of ``package-lock.json`` (see ``tools/vendor/npm.py``), in
+builds for the machine at hand that need no script at their install. ``biome.jsonc`` and
+``tsconfig.json`` say what is asked.
 
 Usage: ``python -m tools.build.javascript check`` or ``... format``.
 """
@@ -16,7 +16,10 @@ from tools import ROOT
 from tools.vendor import npm
 
 COMMANDS = {
-    "check": (("@biomejs/biome/bin/biome", "check", "--error-on-warnings"),),
+    "check": (
+        ("@biomejs/biome/bin/biome", "check", "--error-on-warnings"),
+        ("typescript/bin/tsc", "--project", "tsconfig.json"),
+    ),
     "format": (("@biomejs/biome/bin/biome", "check", "--write"),),
 }
 
