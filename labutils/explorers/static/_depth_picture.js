@@ -22,6 +22,16 @@ export function toStep(meters, step) {
 }
 
 /**
+ * The steps that hold two limits in meters.
+ * @param {Pair} limits
+ * @param {number} step
+ * @returns {Pair}
+ */
+export function toSteps([low, high], step) {
+  return [toStep(low, step), toStep(high, step)];
+}
+
+/**
  * Which kind of pixel holds this many steps; `valid` and `range` are limits in steps.
  * @param {number} steps
  * @param {Pair} range

@@ -15,7 +15,7 @@ import {
   NO_SURFACE,
   paintDepth,
   readTable,
-  toStep,
+  toSteps,
 } from "./_depth_picture.js";
 import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
@@ -36,9 +36,7 @@ async function start(model, frame) {
   const step = model.get("depth_step");
   const clip = model.get("clip_m");
   const upper = model.get("upper_m");
-  /** @type {(limits: Pair) => Pair} */
-  const toSteps = ([low, high]) => [toStep(low, step), toStep(high, step)];
-  const valid = toSteps(model.get("valid_m"));
+  const valid = toSteps(model.get("valid_m"), step);
   const bytes = model.get("color_tables");
   const all = new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const tables = model.get("color_names").map((_, place) => readTable(all, place * 768));
@@ -68,7 +66,7 @@ async function start(model, frame) {
   const toRaw = ([low, high]) => [metricToRaw(low, ...clip), metricToRaw(high, ...clip)];
   drawOnChange(model, frame, () => {
     const range = model.get("range_m");
-    const rangeSteps = toSteps(range);
+    const rangeSteps = toSteps(range, step);
     const table = tables[model.get("color_map")];
     paintDepth(pixels, width, { table, range, rangeSteps, valid, step }, palette, out);
     context.putImageData(image, 0, 0);

@@ -1,6 +1,6 @@
 // Stereo baseline: a point, where the right eye sees it, and how well its depth can be known.
 
-import { toStep } from "./_depth_picture.js";
+import { toSteps } from "./_depth_picture.js";
 import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
 import { makePlot, toPath } from "./_plot.js";
@@ -29,7 +29,7 @@ async function start(model, frame) {
   const picture = toImageData(await decodePng(model.get("rgb_png")));
   const { width, height, data } = await decodePng(model.get("depth_png"));
   const step = model.get("depth_step");
-  const valid = model.get("valid_m").map((one) => toStep(one, step));
+  const valid = toSteps(model.get("valid_m"), step);
   const K = model.get("K");
   const row = new Float64Array(width);
 
