@@ -9,13 +9,13 @@ import { makePicker } from "./_picker.js";
 import { decodePng } from "./_png.js";
 import { makeSegmenter } from "./_segment.js";
 
-export default defineView("hsv", startHsv);
+export default defineView("hsv", start);
 
 /**
  * @param {HsvModel} model
  * @param {Frame} frame
  */
-async function startHsv(model, frame) {
+async function start(model, frame) {
   const scene = await decodePng(model.get("rgb_png"));
   frame.stage.classList.add("explorer-hsv");
   // one place of the scene's shape for every picture, so that nothing moves when it changes
