@@ -160,7 +160,8 @@ def test_transforms_join_as_matrices_do() -> None:
     first[3] = second[3] = [0, 0, 0, 1]
     point = rng.normal(size=3)
     code = """
-    import { FROM_WORLD, joinTransforms, movePoint } from "STATIC/_orbit.js";
+    import { joinTransforms, movePoint } from "STATIC/_orbit.js";
+    import { FROM_WORLD } from "STATIC/_shared.js";
     show([joinTransforms(data.first, data.second), movePoint(data.first, data.point), FROM_WORLD]);
     """
     data = {

@@ -1,6 +1,7 @@
 // From the traits of a view to the cloud that all modules know: see Cloud in _types.d.ts.
 
-import { FROM_WORLD, joinTransforms, STAY } from "./_orbit.js";
+import { joinTransforms, STAY } from "./_orbit.js";
+import { FROM_WORLD } from "./_shared.js";
 
 /**
  * Gather what never changes: depth in steps, colors, the camera's matrix and pose.

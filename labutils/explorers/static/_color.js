@@ -1,7 +1,7 @@
 // RGB to HSV exactly as cv2.cvtColor does for 8 bits: whole-number arithmetic with two tables, so
 // that a hue read here is the hue Python reads. Hue 0-179, saturation and value 0-255.
 
-export const HUES = 180;
+import { HUES } from "./_shared.js";
 
 const SHIFT = 12;
 const HALF = 1 << (SHIFT - 1);

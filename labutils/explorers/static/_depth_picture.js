@@ -2,15 +2,10 @@
 // Mirrors labutils.explorers._depth_picture.
 
 import { metricToRaw } from "./_depth.js";
+import { FARTHER, INSIDE, NEARER, NO_SURFACE, STRIPES } from "./_shared.js";
 
 export const LEVELS = 65536;
-export const [NEARER, INSIDE, FARTHER, NO_SURFACE] = [0, 1, 2, 3];
 const BLACK = 0xff000000;
-// stripes are in no color map; each kind leans its own way, so they differ without color as well
-/** @type {number[][]} */
-const STRIPES = [];
-STRIPES[NEARER] = [0xffffffff, 0xff8c3cd6];
-STRIPES[FARTHER] = [0xffc8c8c8, 0xff8c8c8c];
 
 /**
  * The step that holds a number of meters.
@@ -129,7 +124,8 @@ export function findColor(meters, near, far) {
 }
 
 /**
- * Color of a stripe: kind of pixel, then its column and row.
+ * Color of a stripe: kind of pixel, then its column and row. Each kind leans its own way, so they
+ * differ without color as well.
  * @param {number} kind
  * @param {number} u
  * @param {number} v

@@ -1,9 +1,10 @@
 // All hues in a ring, red on top; the chosen arc is lit and both its ends can be moved. The sector
 // inside it shows which saturations go with it, gray in the middle.
 
-import { HUES, isHueInside } from "./_color.js";
+import { isHueInside } from "./_color.js";
 import { make, setTraits } from "./_frame.js";
 import { addShape, setShape } from "./_shapes.js";
+import { HUES } from "./_shared.js";
 
 const SIZE = 240;
 const MIDDLE = SIZE / 2;

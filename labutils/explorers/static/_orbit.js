@@ -6,7 +6,6 @@
 const [MIN_DISTANCE, MAX_DISTANCE] = [0.1, 20]; // meters
 const NEAREST = 0.02; // meters: what is closer to the eye is not drawn
 const STEP_BACK = 1.25; // along an axis a cloud looks larger than from a corner
-export const FROM_WORLD = [0, -1, 0, 0, 0, 0, -1, 0, 1, 0, 0, 0]; // z up becomes y down
 export const STAY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
 /**

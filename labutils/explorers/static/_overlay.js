@@ -2,9 +2,8 @@
 
 import { getContext } from "./_frame.js";
 import { toImageData } from "./_png.js";
+import { DIM, MASK, PICTURE } from "./_shared.js";
 
-const [MASK, PICTURE] = [1, 2]; // as in HsvView.shown; 0 is the overlay
-const DIM = 0.4;
 const ARM = 14; // of the cross, in pixels
 
 /**

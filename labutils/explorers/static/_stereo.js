@@ -1,7 +1,7 @@
 // Two cameras side by side, the right one `baseline` meters along x: disparity and what it is worth.
 // Mirrors labutils.stereo. (u, v) is a pixel center; the left camera is the origin.
 
-export const [OUTSIDE, SEEN, HIDDEN] = [0, 1, 2];
+import { HIDDEN, OUTSIDE, SEEN } from "./_shared.js";
 
 /**
  * How far to the left the right camera sees a point: pixels, for a focal length in pixels.

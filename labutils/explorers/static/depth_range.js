@@ -6,13 +6,9 @@ import {
   binRaw,
   countKinds,
   countSteps,
-  FARTHER,
   findKind,
   findStripe,
-  INSIDE,
   LEVELS,
-  NEARER,
-  NO_SURFACE,
   paintDepth,
   readTable,
   toSteps,
@@ -22,6 +18,7 @@ import { makePicker } from "./_picker.js";
 import { makePlot } from "./_plot.js";
 import { decodePng } from "./_png.js";
 import { addShape, setShape } from "./_shapes.js";
+import { FARTHER, INSIDE, NEARER, NO_SURFACE } from "./_shared.js";
 
 const BINS = 50;
 

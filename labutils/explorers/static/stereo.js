@@ -7,14 +7,13 @@ import { makePlot, toPath } from "./_plot.js";
 import { decodePng, toImageData } from "./_png.js";
 import { formatInterval, makeRays } from "./_rays.js";
 import { addShape, setShape } from "./_shapes.js";
+import { HIDDEN, OUTSIDE } from "./_shared.js";
 import {
   findDisparity,
   findInterval,
   findLargestError,
   findLinearError,
   findRightState,
-  HIDDEN,
-  OUTSIDE,
 } from "./_stereo.js";
 
 const [NEAREST, FARTHEST, CURVE_STEPS] = [0.1, 10, 100];

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as points from "../../../labutils/explorers/static/_cloud_points.js";
 import * as orbits from "../../../labutils/explorers/static/_orbit.js";
+import { FROM_WORLD } from "../../../labutils/explorers/static/_shared.js";
 import * as splat from "../../../labutils/explorers/static/_splat.js";
 import { assertNear } from "./_near.mjs";
 
@@ -55,16 +56,16 @@ test("the eye looks at its target from its distance", () => {
 test("joined transforms move as one after the other", () => {
   const eye = orbits.makeEyeTransform(START);
   const point = [0.3, -0.2, 0.7];
-  const joined = orbits.joinTransforms(eye, orbits.FROM_WORLD);
+  const joined = orbits.joinTransforms(eye, FROM_WORLD);
   assertNear(
     orbits.movePoint(joined, point),
-    orbits.movePoint(eye, orbits.movePoint(orbits.FROM_WORLD, point)),
+    orbits.movePoint(eye, orbits.movePoint(FROM_WORLD, point)),
   );
   assert.deepEqual(orbits.joinTransforms(eye, orbits.STAY), eye);
 });
 
 test("what is ahead in the world is ahead, what is above it is above", () => {
-  assert.deepEqual(orbits.movePoint(orbits.FROM_WORLD, [1, 2, 3]), [-2, -3, 1]);
+  assert.deepEqual(orbits.movePoint(FROM_WORLD, [1, 2, 3]), [-2, -3, 1]);
 });
 
 test("nobody walks over the pole, into the cloud or away from it", () => {

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as depth from "../../../labutils/explorers/static/_depth.js";
 import * as picture from "../../../labutils/explorers/static/_depth_picture.js";
+import { FARTHER, INSIDE, NEARER, NO_SURFACE } from "../../../labutils/explorers/static/_shared.js";
 import { readRaw } from "../../../labutils/explorers/static/depth_convention.js";
 import { assertNear } from "./_near.mjs";
 
@@ -52,7 +53,6 @@ test("halves of a step go up", () => {
 
 test("limits of the range belong to it, limits of what is valid do not", () => {
   const kind = (steps) => picture.findKind(steps, [20, 30], [10, 40]);
-  const { NEARER, INSIDE, FARTHER, NO_SURFACE } = picture;
   assert.deepEqual([10, 11, 19, 20, 30, 31, 39, 40].map(kind), [
     NO_SURFACE,
     NEARER,
@@ -75,7 +75,7 @@ test("every pixel is of one kind, and every surface in one bin of each histogram
   const kinds = picture.countKinds(counts, range, valid);
   const sum = (numbers) => numbers.reduce((a, b) => a + b, 0);
   assert.equal(sum(kinds), pixels.length);
-  const surfaces = pixels.length - kinds[picture.NO_SURFACE];
+  const surfaces = pixels.length - kinds[NO_SURFACE];
   assert.equal(sum(picture.binMetric(counts, 50, 10, STEP, valid)), surfaces);
   assert.equal(sum(picture.binRaw(counts, 50, STEP, valid, [NEAR, FAR])), surfaces);
 });
@@ -89,7 +89,7 @@ test("colors reach from the first of the table to the last, and stay there", () 
 });
 
 test("stripes of what is nearer and of what is farther lean different ways", () => {
-  const { NEARER, FARTHER, findStripe } = picture;
+  const { findStripe } = picture;
   assert.equal(findStripe(NEARER, 0, 8), findStripe(NEARER, 8, 0));
   assert.equal(findStripe(FARTHER, 0, 0), findStripe(FARTHER, 9, 9));
   assert.notEqual(findStripe(FARTHER, 0, 0), findStripe(FARTHER, 8, 0));

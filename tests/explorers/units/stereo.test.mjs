@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { findShapes, formatInterval } from "../../../labutils/explorers/static/_rays.js";
+import { HIDDEN, OUTSIDE, SEEN } from "../../../labutils/explorers/static/_shared.js";
 import * as stereo from "../../../labutils/explorers/static/_stereo.js";
 import { describePair } from "../../../labutils/explorers/static/stereo.js";
 import { assertNear } from "./_near.mjs";
@@ -32,10 +33,10 @@ test("the largest error is the distance to the far end, and little errors grow w
 
 test("the right eye misses what falls out of its picture, and what something nearer hides", () => {
   const row = new Float64Array(200).fill(2); // disparity 25
-  assert.equal(stereo.findRightState(24, row, FOCAL, BASELINE), stereo.OUTSIDE);
-  assert.equal(stereo.findRightState(100, row, FOCAL, BASELINE), stereo.SEEN);
+  assert.equal(stereo.findRightState(24, row, FOCAL, BASELINE), OUTSIDE);
+  assert.equal(stereo.findRightState(100, row, FOCAL, BASELINE), SEEN);
   row[125] = 1; // disparity 50: lands where pixel 100 lands
-  assert.equal(stereo.findRightState(100, row, FOCAL, BASELINE), stereo.HIDDEN);
+  assert.equal(stereo.findRightState(100, row, FOCAL, BASELINE), HIDDEN);
 });
 
 test("rays through two columns meet at the depth of their disparity", () => {
