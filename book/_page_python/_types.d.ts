@@ -83,7 +83,24 @@ interface Pyodide {
   FS: { writeFile(path: string, content: Uint8Array): void; chdir(path: string): void };
 }
 
+/** As many words of JSON Schema as labutils/checks/progress_rules.py needs. */
+interface Schema {
+  type: string[];
+  minimum?: number;
+  maximum?: number;
+  required?: string[];
+  properties?: Record<string, Schema>;
+  additionalProperties?: Schema;
+}
+
 interface CameraLab {
+  rules: {
+    FILE_NAME: string;
+    VERSION: number;
+    MAX_HINTS: number;
+    MAX_CHARACTERS: number;
+    SCHEMA: Schema;
+  };
   progress: {
     FILE_NAME: string;
     isKept(): boolean;

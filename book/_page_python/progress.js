@@ -8,11 +8,8 @@
 // Where the browser keeps nothing, the page works with what this tab remembers.
 (() => {
   const PREFIX = "camera-lab-book.";
-  const FILE_NAME = "labutils-progress.json";
-  const VERSION = 1;
-  const MAX_HINTS = 3; // the same limits as in labutils/checks/progress.py
+  const { FILE_NAME, VERSION, MAX_HINTS, MAX_CHARACTERS, SCHEMA } = window.cameraLab.rules;
   const COUNTED = /** @type {const} */ (["mistakes", "relations", "probes"]); // older files have only the first
-  const MAX_FILE = 1_000_000; // characters; a file of ours has a few thousand
 
   /** @type {Map<string, string>} */
   const remembered = new Map(); // this tab's own, where the browser keeps nothing
@@ -56,9 +53,55 @@
     }
   }
 
-  const isObject = (/** @type {unknown} */ value) =>
-    typeof value === "object" && value !== null && !Array.isArray(value);
-  const isCount = (/** @type {any} */ value) => Number.isSafeInteger(value) && value >= 0;
+  /** @type {Record<string, string>} */
+  const WORDS = {
+    object: "an object",
+    array: "a list",
+    string: "a text",
+    boolean: "true or false",
+    integer: "a whole number",
+    number: "a number",
+    null: "null",
+  };
+
+  /** Name the kind of a value of JSON; a number that is whole, and exact, is an integer. */
+  function getKind(/** @type {unknown} */ value) {
+    if (value === null) return "null";
+    if (Array.isArray(value)) return "array";
+    return Number.isSafeInteger(value) ? "integer" : typeof value;
+  }
+
+  /**
+   * Say where JSON differs from a schema, and how, as find_fault in progress_rules.py: the first
+   * fault; "" where there is none.
+   * @param {any} value
+   * @param {Schema} schema
+   * @param {string} place
+   * @returns {string}
+   */
+  function findFault(value, schema, place = "the file") {
+    const kind = getKind(value);
+    if (!schema.type.includes(kind)) {
+      const wanted = schema.type.map((one) => WORDS[one]).join(" or ");
+      return `${place}: expected ${wanted}, got ${WORDS[kind]}`;
+    }
+    const { minimum: low = 0, maximum: high } = schema;
+    if (kind === "integer" && (value < low || (high !== undefined && value > high))) {
+      const range = low === high ? low : `${low} to ${high}`;
+      return `${place}: expected ${high === undefined ? `${low} or more` : range}, got ${value}`;
+    }
+    if (kind !== "object") return "";
+    const missing = schema.required?.find((name) => !Object.hasOwn(value, name));
+    if (missing) return `${place}: expected "${missing}", got none`;
+    for (const name of Object.keys(value).sort()) {
+      const own = new Map(Object.entries(schema.properties ?? {})).get(name);
+      const rule = own ?? schema.additionalProperties;
+      const inside = place === "the file" ? name : `${place}.${name}`;
+      const fault = rule ? findFault(value[name], rule, inside) : "";
+      if (fault) return fault;
+    }
+    return "";
+  }
 
   /**
    * Read a progress file by the rules of the library; throws an Error that says what is wrong.
@@ -66,36 +109,24 @@
    * @returns {ProgressRecords}
    */
   function parse(text) {
-    if (text.length > MAX_FILE) throw new Error("it is far too long");
+    if (text.length > MAX_CHARACTERS) throw new Error("it is far too long");
     let content;
     try {
       content = JSON.parse(text);
     } catch {
       throw new Error("it is no JSON");
     }
-    if (!isObject(content?.exercises)) throw new Error('it has no "exercises"');
-    if (content.version !== VERSION) throw new Error(`its version is not ${VERSION}`);
+    const fault = findFault(content, SCHEMA);
+    if (fault) throw new Error(fault);
     const entries = Object.entries(content.exercises);
-    return new Map(entries.map(([name, item]) => [name, parseRecord(name, item)]));
+    return new Map(entries.map(([name, item]) => [name, readRecord(item)]));
   }
 
   /**
-   * @param {string} name
    * @param {any} item
    * @returns {ProgressRecord}
    */
-  function parseRecord(name, item) {
-    const isRecord =
-      isObject(item) &&
-      typeof item.passed === "boolean" &&
-      isCount(item.attempts) &&
-      isCount(item.hints) &&
-      item.hints <= MAX_HINTS &&
-      (item.last_property === null || typeof item.last_property === "string") &&
-      isObject(item.mistakes) &&
-      COUNTED.every((kind) => isObject(item[kind] ?? {})) &&
-      COUNTED.every((kind) => Object.values(item[kind] ?? {}).every(isCount));
-    if (!isRecord) throw new Error(`what it says of ${JSON.stringify(name)} is no record`);
+  function readRecord(item) {
     const { passed, attempts, hints, last_property } = item;
     const [mistakes, relations, probes] = COUNTED.map((kind) => ({ ...item[kind] }));
     return { passed, attempts, hints, last_property, mistakes, relations, probes };
@@ -171,7 +202,7 @@
   function countHint(name) {
     const records = load();
     const empty = { passed: false, attempts: 0, hints: 0, last_property: null, mistakes: {} };
-    const record = records.get(name) ?? parseRecord(name, empty);
+    const record = records.get(name) ?? readRecord(empty);
     record.hints = Math.min(record.hints + 1, MAX_HINTS);
     merge(new Map([[name, record]]));
     return record.hints;
@@ -180,7 +211,7 @@
   function readResult(/** @type {string} */ name) {
     try {
       const stored = JSON.parse(read(`result.${name}`) ?? "null");
-      return typeof stored?.code === "string" && isObject(stored.said) ? stored : null;
+      return typeof stored?.code === "string" && getKind(stored.said) === "object" ? stored : null;
     } catch {
       return null;
     }

@@ -7,15 +7,18 @@ Usage: ``python -m tools.derive.shared``; ``make exercises`` runs it. A test com
 
 from __future__ import annotations
 
+import json
 import sys
 
 from labutils import stereo
 from labutils._constants import MAX_HUE, TURN_WORLD
+from labutils.checks import progress_rules as rules
 from labutils.explorers import _depth_picture as picture
 from labutils.explorers import hsv
 from tools import ROOT
 
 STATIC = "labutils/explorers/static"
+RULES = "book/_page_python/progress_rules.js"
 HEAD = """// biome-ignore-all format: written by a tool
 // Written by `make exercises` from labutils, see tools/derive/shared.py: change it there.
 """
@@ -35,7 +38,7 @@ def make_files() -> dict[str, str]:
         f"\n// {comment}\nexport const {name} = {value};\n"
         for name, comment, value in list_explorer_constants()
     ]
-    return {f"{STATIC}/_shared.js": HEAD + "".join(lines)}
+    return {f"{STATIC}/_shared.js": HEAD + "".join(lines), RULES: HEAD + _write_rules()}
 
 
 def list_explorer_constants() -> list[tuple[str, str, str]]:
@@ -63,6 +66,15 @@ def list_explorer_constants() -> list[tuple[str, str, str]]:
         (f"[{', '.join(hsv.SHOWN).upper()}]", "what of a picture is shown", str([0, 1, 2])),
         ("DIM", "how bright a picture is where nothing is selected", str(hsv.DIM)),
     ]
+
+
+def _write_rules() -> str:
+    """Write the rules of progress files for the scripts of a page, which are no modules."""
+    names = ("FILE_NAME", "VERSION", "MAX_HINTS", "MAX_CHARACTERS", "SCHEMA")
+    content = json.dumps({name: getattr(rules, name) for name in names}, indent=1)
+    return f"""// What a progress file may hold; progress.js reads it.
+window.cameraLab = {{ ...window.cameraLab, rules: {content} }};
+"""
 
 
 def _write_color(rgb: tuple[int, int, int]) -> str:
