@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { close, forEach, main, openPage, require } from "./_browser.mjs";
+import { close, forEach, main, openPage, require } from "../../tools/browser.mjs";
 
 const THEMES = ["light", "dark"];
 const GRAVE = ["serious", "critical"];

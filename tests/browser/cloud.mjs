@@ -2,7 +2,7 @@
 // with WebGL and once in a browser that has none; pictures go into FOLDER. test_cloud_view.py
 // says what is right.
 
-import { launch } from "./_browser.mjs";
+import { launch } from "../../tools/browser.mjs";
 
 const [site, folder] = process.argv.slice(2);
 const FLAGS = { webgl2: [], "2d": ["--disable-gpu", "--disable-3d-apis"] };

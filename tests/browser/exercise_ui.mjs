@@ -3,7 +3,7 @@
 // IMPORTS is a file {good: [file, ...], bad: [file, ...]} of progress files. Prints what was seen.
 
 import { readFileSync } from "node:fs";
-import { main, NARROW, openPage, require } from "./_browser.mjs";
+import { main, NARROW, openPage, require } from "../../tools/browser.mjs";
 import * as ui from "./_exercises.mjs";
 
 const ENDLESS = "while True:\n    pass\n";

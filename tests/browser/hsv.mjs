@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { main, openPage, waitForFrames } from "./_browser.mjs";
+import { main, openPage, waitForFrames } from "../../tools/browser.mjs";
 
 await main(async (browser, site, name, picturePath) => {
   const { page, complaints } = await openPage(browser, site, name);

@@ -14,7 +14,7 @@ import {
   newPage,
   settle,
   WIDGETS,
-} from "./_browser.mjs";
+} from "../../tools/browser.mjs";
 
 const packed = promisify(gzip);
 const TABS_AT_ONCE = 3; // a page mostly waits

@@ -1,7 +1,7 @@
 // node site.mjs SITE: uses what every page shares - theme switch, search, skip link, print - as
 // a reader would, and prints what happened. test_site.py says what is right.
 
-import { close, main, newPage, openPage, settle } from "./_browser.mjs";
+import { close, main, newPage, openPage, settle } from "../../tools/browser.mjs";
 
 const PAGE = "book/step2_intrinsics";
 const PAGE_WITH_FOLDS = "book/conventions";

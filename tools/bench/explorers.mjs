@@ -1,7 +1,7 @@
 // node explorers.mjs SITE PAGE FRAMES: drags every slider of every explorer of a page through its
 // range and prints how long each frame took to compute and draw, in milliseconds.
 
-import { close, main, openPage } from "../../tests/browser/_browser.mjs";
+import { close, main, openPage } from "../browser.mjs";
 
 const HARDEST = /radius|open|close/i; // sliders that stay at their end while the others move
 

@@ -12,7 +12,7 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import * as browsing from "../../tests/browser/_browser.mjs";
+import * as browsing from "../browser.mjs";
 
 const { DESKTOP, NARROW, PHONE, WIDGETS } = browsing;
 const SIZES = { desktop: DESKTOP, phone: PHONE };
