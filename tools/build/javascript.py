@@ -1,8 +1,8 @@
 """Check or rewrite the JavaScript of the house: Biome for style and rules, TypeScript for types.
 
 Both come from npm at the versions of ``package-lock.json`` (see ``tools/vendor/npm.py``), in
-builds for the machine at hand that need no script at their install. ``biome.jsonc`` and
-``tsconfig.json`` say what is asked.
+builds for the machine at hand that need no script at their install. ``biome.jsonc``,
+``tsconfig.json`` and ``tsconfig.scripts.json`` say what is asked.
 
 Usage: ``python -m tools.build.javascript check`` or ``... format``.
 """
@@ -19,6 +19,7 @@ COMMANDS = {
     "check": (
         ("@biomejs/biome/bin/biome", "check", "--error-on-warnings"),
         ("typescript/bin/tsc", "--project", "tsconfig.json"),
+        ("typescript/bin/tsc", "--project", "tsconfig.scripts.json"),
     ),
     "format": (("@biomejs/biome/bin/biome", "check", "--write"),),
 }

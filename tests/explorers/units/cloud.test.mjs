@@ -12,7 +12,10 @@ const K = [
   [0, 0, 1],
 ];
 const START = { azimuth_deg: 20, elevation_deg: 10, distance: 2, target: [0, 0, 1] };
-/** Three pixels in a row: nothing, 1 m, 2 m. */
+/**
+ * Three pixels in a row: nothing, 1 m, 2 m; as much of a cloud as is asked for here.
+ * @type {any}
+ */
 const CLOUD = {
   width: 3,
   height: 1,
@@ -88,7 +91,7 @@ test("a line that passes the eye is cut, one behind it is not drawn", () => {
 
 test("the nearest point is drawn, and found within the slack only", () => {
   const buffer = splat.makeSplatBuffer(40, 40);
-  const look = { eyeFromCamera: orbits.STAY, focal: 20, K, far: 5 };
+  const look = { width: 40, height: 40, eyeFromCamera: orbits.STAY, focal: 20, K, far: 5 };
   splat.splatPoints(CLOUD, look, buffer);
   assert.deepEqual(new Set(buffer.ids), new Set([-1, 1, 2]));
   assert.equal(splat.pickDrawn(buffer, 20, 15, 0), 1);

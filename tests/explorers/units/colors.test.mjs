@@ -5,6 +5,7 @@ import * as morphology from "../../../labutils/explorers/static/_morphology.js";
 import { makeRegionFinder } from "../../../labutils/explorers/static/_regions.js";
 import { makeSegmenter } from "../../../labutils/explorers/static/_segment.js";
 
+/** @type {HsvLimits} */
 const ALL = [
   [0, 0, 0],
   [179, 255, 255],
@@ -40,6 +41,7 @@ test("where the first limit of the hue is the larger, the range goes through 0",
 });
 
 test("every limit that keeps a color out is named", () => {
+  /** @type {HsvLimits} */
   const limits = [
     [10, 20, 30],
     [40, 50, 60],

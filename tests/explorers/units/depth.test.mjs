@@ -67,6 +67,7 @@ test("limits of the range belong to it, limits of what is valid do not", () => {
 
 test("every pixel is of one kind, and every surface in one bin of each histogram", () => {
   const pixels = Uint16Array.from({ length: 5000 }, (_, i) => (i * 37) % 60000);
+  /** @type {Pair[]} */
   const [valid, range] = [
     [50, 50000],
     [5000, 20000],
