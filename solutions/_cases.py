@@ -130,17 +130,33 @@ def make_mask(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
     return mask
 
 
+def make_blocks(
+    blocks: tuple[tuple[int, int, int, tuple[float, ...]], ...],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Make labels and depth of blocks before the sky, int32 and float32.
+
+    Each has a label, its left column, its top row, and the depth of each column in six rows.
+    """
+    labels = np.zeros((20, 32), dtype=np.int32)
+    depth = np.full(labels.shape, 12.0, dtype=np.float32)
+    for label, left, top, columns in blocks:
+        where = np.s_[top : top + 6, left : left + len(columns)]
+        labels[where], depth[where] = label, columns
+    return labels, depth
+
+
 _SCENE = """<mujoco>
  <compiler angle="degree"/>
  <statistic extent="1" center="0 0 0"/>
- <visual><map znear="0.05" zfar="8"/></visual>
+ <visual><map znear="0.05" zfar="12"/></visual>
  <worldbody>
   <light pos="0 0 4"/>
   <geom name="floor" type="plane" size="6 2 .1" rgba=".5 .55 .6 1"/>
   <geom name="wall" type="box" pos="3.4 .9 1" size=".1 1.3 {wall}" rgba=".8 .7 .5 1"/>
   <body name="ball" pos="{ball_x} {ball_y} .5">
-   <joint name="slide" type="slide" axis="0 1 0"/>
+   <joint name="slide" type="slide" axis="0 1 .2"/>
    <geom type="sphere" size=".35" rgba=".85 .15 .1 1"/>
+   <camera name="chase_camera" mode="trackcom" pos="-1.2 -.9 .6" xyaxes=".6 -.8 0 .2 .15 .97"/>
   </body>
   <body name="box" pos="{box_x} {box_y} .3">
    <geom type="box" size=".3 .2 .3" rgba=".1 .3 .85 1"/>
@@ -158,7 +174,12 @@ _SCENE = """<mujoco>
 
 
 def make_scene_text(rng: np.random.Generator) -> str:
-    """Make a ball, a box and three cameras: one on a joint, one fixed, one given by its sensor."""
+    """Make a ball, a box and four cameras.
+
+    One is on a joint, one fixed, one given by its sensor, and one follows a center of mass. The
+    ball slides down a slope if time passes: who steps moves it. The far plane is beyond 10 m, which
+    some take for the end of the world.
+    """
     signs = rng.choice([-1.0, 1.0], size=2)
     values = {
         "wall": rng.uniform(0.7, 1.0),
@@ -191,3 +212,11 @@ def make_rotation(rng: np.random.Generator, low: float = 0.6, high: float = 2.2)
     x, y, z = axis / np.sqrt((axis**2).sum())
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)
+
+
+def make_pose(rng: np.random.Generator, origin: np.ndarray) -> np.ndarray:
+    """Make a pose that has the origin of the world within 10 cm of a point of the frame."""
+    pose = np.eye(4)
+    pose[:3, :3] = make_rotation(rng)
+    pose[:3, 3] = rng.uniform(-0.05, 0.05, size=3) - pose[:3, :3] @ origin
+    return np.round(pose, 6)

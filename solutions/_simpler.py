@@ -43,7 +43,7 @@ def simplify(exercise: Exercise, table: CheckTable) -> tuple[Simpler, ...]:
     A case that stays as it is, or whose right answer is without any number, is left out.
     """
     found = []
-    for one in (*exercise.simpler, *list_common(exercise)):
+    for one in (*list_valid(exercise), *exercise.simpler, *list_common(exercise)):
         numbers: list[int] = []
         cases: list[Case] = []
         for number, case in enumerate(table.cases):
@@ -107,17 +107,31 @@ def _says_much(due: tuple[Any, ...]) -> bool:
 # ---- What makes many exercises hard
 
 
+def list_valid(exercise: Exercise) -> tuple[Simplification, ...]:
+    """List the first of all complications, where there is a depth image: invalid pixels.
+
+    Not where they are all that the exercise is about, or where its card knows better.
+    """
+    known = {one.name for one in exercise.simpler}
+    if "depth_metric" not in exercise.parameters[:-1] or "all-valid" in known:
+        return ()
+    return (Simplification("all-valid", "no pixel is invalid", fill_invalid),)
+
+
 def list_common(exercise: Exercise) -> tuple[Simplification, ...]:
-    """List the complications that follow from the names of the arguments."""
+    """List the complications that follow from the names of the arguments.
+
+    Where points or pixels are given beside the camera, they would have to move with it.
+    """
     names = exercise.parameters
+    if {"points_world", "pixels"} & set(names):
+        return ()
     found = []
     if "K" in names:
         found += [
             Simplification("square-pixels", "fx and fy are equal", _square_pixels),
             Simplification("centered", "the principal point is pixel (0, 0)", _center),
         ]
-    if "depth_metric" in names:
-        found.append(Simplification("all-valid", "no pixel is invalid", fill_invalid))
     if {"width", "height"} <= set(names):
         found.append(Simplification("square", "the picture is as high as it is wide", _square))
     return tuple(found)
@@ -145,11 +159,10 @@ def is_valid(depth: np.ndarray) -> np.ndarray:
 
 
 def fill_invalid(args: dict[str, Any]) -> dict[str, Any]:
-    """Give every invalid pixel the median depth."""
+    """Give every invalid pixel the median depth; 1 m where there is none."""
     depth = args["depth_metric"]
     valid = is_valid(depth)
-    if valid.any():
-        depth[~valid] = np.median(depth[valid])
+    depth[~valid] = np.median(depth[valid]) if valid.any() else 1.0
     return {"depth_metric": depth}
 
 

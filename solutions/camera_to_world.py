@@ -43,6 +43,7 @@ def _visible() -> tuple[Case, ...]:
         _make_case(rng, "forty points, cam_xmat as the nine numbers MuJoCo gives", 40, flat=True),
         _make_case(rng, "no point at all", 0, flat=True),
         _make_whole(rng),
+        _make_case(rng, "a single point", 1, flat=False),
     )
 
 
@@ -60,6 +61,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         ),
         _make_case(rng, "no point at all", 0, flat=False),
         _make_whole(rng),
+        _make_case(rng, "a single point", 1, flat=True),
     )
 
 
@@ -164,6 +166,7 @@ EXERCISE = Exercise(
             "value",
             "case no point at all",
             "case points in whole meters",
+            "case a single point",
         ),
     ),
     visible=_visible,

@@ -58,17 +58,25 @@ def _make_case(rng: np.random.Generator, label: str, share: float) -> Case:
     return Case(label, (u, pan, round(float(rng.uniform(0.7, 1.1)), 3), width, height))
 
 
+def _make_middle(rng: np.random.Generator, label: str) -> Case:
+    """Make the view in which nothing is to be turned: half a pixel is exact in any formula."""
+    _, pan, fov_y, width, height = _make_case(rng, label, 0.5).args
+    return Case(label, ((width - 1) / 2, pan, fov_y, width, height))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(102)
     return (
         _make_case(rng, "something in the left part of the picture", 0.1),
         _make_case(rng, "something in the right part", 0.85),
         _make_case(rng, "something a little to the right of the middle", 0.6),
+        _make_middle(rng, "something in the very middle already"),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"view {share}", share) for share in (0.05, 0.2, 0.7, 0.95))
+    views = tuple(_make_case(rng, f"view {share}", share) for share in (0.05, 0.2, 0.7, 0.95))
+    return (*views, _make_middle(rng, "the middle"))
 
 
 EXERCISE = Exercise(

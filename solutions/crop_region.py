@@ -28,7 +28,7 @@ def crop_region(
     Returns
     -------
     ndarray, float, (M, 3)
-        The points in the box, in the robot's frame, in any order.
+        The points in the box, in the robot's frame, in any order; M may be 0.
     """
     points = (points_world - T_world_robot[:3, 3]) @ T_world_robot[:3, :3]
     inside = ((points >= low) & (points <= high)).all(axis=1)
@@ -68,7 +68,7 @@ def _make_case(rng: np.random.Generator, label: str) -> Case:
     T_world_robot[:3, :3] = make_rotation(rng)
     T_world_robot[:3, 3] = rng.uniform(0.3, 0.6, size=3) * rng.choice([-1, 1], size=3)
     T_world_robot = np.round(T_world_robot, 9)
-    points = rng.uniform(low - 0.3, high + 0.3, size=(200, 3))
+    points = rng.uniform(low - 0.3, high + 0.3, size=(120, 3))
     # A point within a millimeter of a limit would depend on rounding.
     near = (np.abs(points - low) < 1e-3) | (np.abs(points - high) < 1e-3)
     points = points[~near.any(axis=1)]
@@ -90,18 +90,31 @@ def _make_limit_case(rng: np.random.Generator, label: str) -> Case:
     return Case(label, (points + T_world_robot[:3, 3], T_world_robot, low, high))
 
 
+def _make_row_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    """Make two small clouds: one with points that are equal, one that the box does not hold."""
+    world, pose, low, high = _make_case(rng, "").args
+    points = (world - pose[:3, 3]) @ pose[:3, :3]
+    inside = ((points >= low) & (points <= high)).all(axis=1)
+    some = [*np.flatnonzero(inside)[[0, 0, 1, 1, 2, 3]], *np.flatnonzero(~inside)[:9]]
+    return (
+        Case("two points are in the cloud twice", (world[rng.permutation(some)], pose, low, high)),
+        Case("no point is in the box", (world[:9], pose, low + 4, high + 4)),
+    )
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(109)
     return (
         _make_case(rng, "a robot in the room"),
         _make_case(rng, "another robot"),
         _make_limit_case(rng, "points on the limits"),
+        *_make_row_cases(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     robots = tuple(_make_case(rng, f"robot {number}") for number in range(4))
-    return (*robots, _make_limit_case(rng, "on the limits"))
+    return (*robots, _make_limit_case(rng, "on the limits"), *_make_row_cases(rng))
 
 
 def _move(args: dict[str, Any], change: Any) -> dict[str, Any]:
@@ -185,6 +198,8 @@ EXERCISE = Exercise(
             "The points in the box, in the robot's frame, in any order",
             "value",
             "shape",
+            "case two points are in the cloud twice",
+            "case no point is in the box",
         ),
     ),
     visible=_visible,

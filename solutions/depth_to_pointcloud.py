@@ -57,6 +57,12 @@ def _make_limit_case(rng: np.random.Generator, label: str, odd: float, dtype: An
     return Case(label, (depth, K, make_rgb(rng, 3, 4)))
 
 
+def _make_empty_case(rng: np.random.Generator) -> Case:
+    depth = rng.permutation([np.nan, np.inf, 0.0, 0.004, 10.5, 12.0]).reshape(2, 3)
+    K = _make_intrinsics(rng, 2, 3)
+    return Case("no pixel sees a surface", (depth.astype(np.float32), K, make_rgb(rng, 2, 3)))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(71)
     clean = make_depth(rng, 11, 15)
@@ -69,6 +75,7 @@ def _visible() -> tuple[Case, ...]:
         ),
         _make_limit_case(rng, "a pixel at the lower limit, double precision", 0.01, np.float64),
         _make_limit_case(rng, "a pixel at the upper limit", 10.0, np.float32),
+        _make_empty_case(rng),
     )
 
 
@@ -86,6 +93,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         _make_limit_case(rng, "a pixel at the upper limit", 10.0, np.float64),
         _make_limit_case(rng, "a pixel too near", 0.004, np.float64),
         _make_limit_case(rng, "a pixel too far", 12.0, np.float32),
+        _make_empty_case(rng),
     ]
     return tuple(cases)
 
@@ -206,7 +214,12 @@ EXERCISE = Exercise(
         asked("intrinsics", "Intrinsic matrix of the picture", "mistake one-focal-length"),
         asked("colors-of", "Colors of the same pixels", "value of colors"),
         asked("meters", "points: Meters.", "value of points"),
-        asked("limits", "are left out", "mistake invalid-kept"),
+        asked(
+            "limits",
+            "are left out",
+            "mistake invalid-kept",
+            "case no pixel sees a surface",
+        ),
         asked(
             "colors-range",
             "RGB in [0, 1]",
@@ -227,7 +240,8 @@ EXERCISE = Exercise(
         "rgb_image": "ndarray, uint8, shape (H, W, 3), optional\nColors of the same pixels.",
         "Returns": (
             "points : ndarray, float, shape (N, 3)\n"
-            "    Meters. Pixels whose depth is NaN, infinite, <= 0.01 m or >= 10 m are left out.\n"
+            "    Meters. Pixels whose depth is NaN, infinite, <= 0.01 m or >= 10 m are left out; "
+            "where no pixel is left, N is 0.\n"
             "colors : ndarray, float, shape (N, 3), or None\n"
             "    RGB in [0, 1] of the same pixels; None without `rgb_image`."
         ),

@@ -80,28 +80,53 @@ def _answer_with(
     return picture[::-1] if "x-downward" in mistakes else picture
 
 
-def _make_case(rng: np.random.Generator, label: str) -> Case:
+def _make_case(
+    rng: np.random.Generator, label: str, size: tuple[int, int], missing: float, count: int = 300
+) -> Case:
+    """Make a map whose limits miss its last row and column by a part of a pixel, or go beyond."""
     scale = int(rng.integers(15, 30))
-    height, width = int(rng.integers(14, 22)), int(rng.integers(20, 30))
     high = np.round(rng.uniform([1.5, 0.2], [2.5, 0.8]), 2)
-    # The last row and column end a little beyond the limits: the size is rounded.
-    low = high - (np.array([height, width]) - 0.3) / scale
+    low = high - (np.array(size) - missing) / scale
     # Away from the borders of pixels, so that no rounding decides; a margin lies outside the map.
-    row, column = rng.integers(-3, height + 3, 500), rng.integers(-3, width + 3, 500)
-    shift = rng.uniform(0.2, 0.6, size=(500, 2))
-    places = high - (np.stack([row, column], axis=1) + shift) / scale
-    points = np.column_stack([places, rng.permutation(500) / 500])
-    colors = rng.integers(40, 256, size=(500, 3)) / 255
-    return Case(label, (np.round(points, 6), np.round(colors, 6), np.round(low, 9), high, scale))
+    pixels = rng.integers(-3, np.array(size) + 3, (count, 2))
+    places = high - (pixels + rng.uniform(0.2, 0.6, size=(count, 2))) / scale
+    return Case(label, (*_add_heights(rng, places), np.round(low, 9), high, scale))
+
+
+def _add_heights(rng: np.random.Generator, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return points at these places, all of other heights, half of them below 0; and colors."""
+    count = len(places)
+    heights = (rng.permutation(count) - count / 2 - 0.2) / 200
+    colors = rng.integers(40, 256, size=(count, 3))
+    colors[::4, 0] = 255  # as many levels as there are
+    return np.round(np.column_stack([places, heights]), 6), np.round(colors / 255, 6)
+
+
+def _make_border_case(rng: np.random.Generator) -> Case:
+    """Make points on the corners of pixels, in sixteenths of a meter: nothing is rounded."""
+    high = rng.integers(8, 24, size=2) / 16
+    size = rng.integers(4, 8, size=2)
+    places = high - rng.permutation(list(np.ndindex(*(size + 3)))) / 16 + 1 / 16
+    label = "points exactly on the borders of pixels, and of the map"
+    return Case(label, (*_add_heights(rng, places), high - size / 16, high, 16))
+
+
+def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    size = (int(rng.integers(8, 12)), int(rng.integers(13, 17)))
+    return (
+        _make_case(rng, "a map whose size is rounded up", size, 0.3),
+        _make_case(rng, "a map of as many pixels, whose size is rounded down", size, -0.3),
+        _make_border_case(rng),
+        _make_case(rng, "no point at all", size, 0.3, count=0),
+    )
 
 
 def _visible() -> tuple[Case, ...]:
-    rng = np.random.default_rng(112)
-    return _make_case(rng, "a cloud of 500 points"), _make_case(rng, "another cloud")
+    return _make_cases(np.random.default_rng(112))
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"cloud {number}") for number in range(3))
+    return (*_make_cases(rng), *_make_cases(rng)[:2])
 
 
 def _place(args: dict[str, Any]) -> np.ndarray:
@@ -156,7 +181,7 @@ EXERCISE = Exercise(
         Simplification("one-each", "no two points share a pixel", _keep_one_each),
         Simplification("inside", "all points lie in the map", _keep_inside),
         Simplification("heights", "all heights are above 0", _raise),
-        Simplification("same-limits", "the limits in x and y are the same", _share_limits),
+        Simplification("same-limits", "the upper limits in x and y are the same", _share_limits),
         Simplification(
             "in-the-corner", "every point lies near its pixel's upper left corner", _move_up
         ),
@@ -218,13 +243,18 @@ EXERCISE = Exercise(
         ),
         asked("draw", "Draw a cloud as a map", "every case"),
         asked("axes", "The robot looks along x", "mistake y-to-the-right", "mistake x-downward"),
-        asked("row-column", "falls into row", "value"),
+        asked("row-column", "falls into row", "value", "case points exactly on the borders"),
         asked("highest-seen", "the highest is seen", "mistake lowest-wins"),
-        asked("left-out", "Points outside the map are left out", "mistake clipped-to-the-border"),
+        asked(
+            "left-out",
+            "Points outside the map are left out",
+            "mistake clipped-to-the-border",
+            "case no point at all",
+        ),
         given("points", "Points in the world (x forward"),
         asked("colors", "RGB from 0 to 1 per point", "mistake colors-to-1"),
         given("limits", "Limits (x, y) of the map"),
-        asked("size", "Scale; the map has", "shape"),
+        asked("size", "Scale; the map has", "shape", "case a map whose size", "case a map of as"),
         asked("levels", "RGB, 255 times the colors", "value"),
     ),
     visible=_visible,

@@ -72,17 +72,43 @@ def _make_case(rng: np.random.Generator, label: str, height: int, width: int) ->
     return Case(label, (depth,))
 
 
+def _make_wide_hole(rng: np.random.Generator, label: str) -> Case:
+    """Make a hole that takes more than ten rounds."""
+    depth = np.round(rng.uniform(0.6, 4.0, size=(3, int(rng.integers(26, 32)))), 4)
+    depth[:, 1:-1] = rng.choice([0.0, np.nan, 12.0])
+    return Case(label, (depth.astype(np.float32),))
+
+
+def _make_whole(rng: np.random.Generator, label: str) -> Case:
+    return Case(label, (np.round(rng.uniform(0.6, 4.0, size=(3, 4)), 4).astype(np.float32),))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(105)
     return (
         _make_case(rng, "a box before a wall, with holes", 18, 26),
         _make_case(rng, "a picture that is higher than wide", 25, 17),
+        _make_wide_hole(rng, "a hole that is more than twenty pixels wide"),
+        _make_whole(rng, "no pixel is invalid"),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     sizes = rng.integers(16, 34, size=(3, 2))
-    return tuple(_make_case(rng, f"view {h} x {w}", int(h), int(w)) for h, w in sizes)
+    return (
+        *(_make_case(rng, f"view {h} x {w}", int(h), int(w)) for h, w in sizes),
+        _make_wide_hole(rng, "a wide hole"),
+        _make_whole(rng, "no hole"),
+    )
+
+
+def _shrink_holes(args: dict[str, Any]) -> dict[str, Any]:
+    """Give what lies deep in a hole the median depth."""
+    depth = args["depth_metric"]
+    valid = is_valid(depth)
+    deep = cv2.distanceTransform((~valid).astype(np.uint8), cv2.DIST_C, 3) > 4
+    depth[deep] = np.median(depth[valid])
+    return {"depth_metric": depth}
 
 
 def _close_border(args: dict[str, Any]) -> dict[str, Any]:
@@ -115,6 +141,7 @@ EXERCISE = Exercise(
     reference=fill_invalid_depth,
     answer_with=_answer_with,
     simpler=(
+        Simplification("small-holes", "every hole is less than 9 pixels wide", _shrink_holes),
         Simplification("no-hole-at-border", "no hole touches the border", _close_border),
         Simplification("zeros", "every invalid pixel is 0", lambda a: _put(a, 0.0)),
         Simplification("nan", "every invalid pixel is NaN", lambda a: _put(a, np.nan)),
@@ -180,11 +207,21 @@ EXERCISE = Exercise(
         asked("fill", "Fill the invalid pixels", "value"),
         asked("valid", "Valid is a depth above", "mistake zeros-only"),
         asked("rounds", "Fill in rounds", "mistake four-neighbors"),
-        asked("repeat", "Repeat until no invalid pixel is left", "mistake one-round"),
+        asked(
+            "repeat",
+            "Repeat until no invalid pixel is left",
+            "mistake one-round",
+            "case a hole that is more",
+        ),
         told("why-farthest", "hence the farthest"),
         given("meters", "depth_metric: Meters."),
         given("one-valid", "At least one pixel is valid"),
-        asked("keep", "valid pixels keep their depth", "mistake valid-changed"),
+        asked(
+            "keep",
+            "valid pixels keep their depth",
+            "mistake valid-changed",
+            "case no pixel is invalid",
+        ),
     ),
     visible=_visible,
     hidden=_hidden,

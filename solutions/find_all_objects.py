@@ -161,16 +161,46 @@ def _make_clear_case(rng: np.random.Generator, label: str) -> Case:
     return case
 
 
+def _make_touching(rng: np.random.Generator, label: str) -> Case:
+    """Make a red object across the seam, a blue one at its side, and a green one of one color."""
+    hsv = np.full((24, 42, 3), (30, 40, 150), dtype=np.uint8)
+    bottom = int(rng.integers(11, 15))
+    seam, border, right, end = np.cumsum(rng.integers((8, 6, 7, 7), (12, 9, 10, 9))).tolist()
+    strong, dark = map(int, rng.integers((150, 130), (250, 240)))
+    hsv[3:bottom, 3:seam] = (176, strong, dark)
+    hsv[3:bottom, seam:border] = (3, strong, dark)
+    hsv[4 : bottom - 1, border:right] = (118, strong, dark)
+    hsv[18:22, right:end] = (60, 255, 255)
+    rgb = hsv_to_rgb(hsv)
+    exact = ("green", (60, 255, 255), (60, 255, 255))
+    ranges = tuple(exact if one[0] == "green" else one for one in _RANGES)
+    return Case(label, (rgb, ranges, 4 * (end - right)))
+
+
+def _make_specks(rng: np.random.Generator, label: str) -> Case:
+    hsv = np.full((12, 16, 3), (30, 40, 150), dtype=np.uint8)
+    for row, hue in zip((2, 5, 9), (179, 62, 118), strict=True):
+        left = int(rng.integers(1, 10))
+        hsv[row, left : left + 5] = (hue, 200, 200)
+    return Case(label, (hsv_to_rgb(hsv), _RANGES, 6))
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(106)
     return (
         _make_clear_case(rng, "five objects of three colors, and specks"),
         _make_clear_case(rng, "five other objects"),
+        _make_touching(rng, "red on both sides of hue 0 touches blue, green is exactly its limits"),
+        _make_specks(rng, "specks only, so there is no object"),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_clear_case(rng, f"scene {number}") for number in range(3))
+    return (
+        *(_make_clear_case(rng, f"scene {number}") for number in range(3)),
+        _make_touching(rng, "touching"),
+        _make_specks(rng, "no object"),
+    )
 
 
 EXERCISE = Exercise(
@@ -240,12 +270,17 @@ EXERCISE = Exercise(
         asked("largest-first", "The largest comes first", "mistake smallest-first"),
         asked("noise", "is noise", "mistake specks-kept"),
         asked("find", "Find all objects of several colors", "value of names"),
-        asked("region", "An object is a connected region", "mistake four-neighbors"),
+        asked(
+            "region",
+            "An object is a connected region",
+            "mistake four-neighbors",
+            "case red on both sides",
+        ),
         given("no-holes", "No object has holes"),
         asked("picture", "The picture.", "mistake bgr"),
         given("limits", "Name of a color, and its limits"),
         asked("wraps", "wraps through red", "mistake no-wrap"),
-        asked("fewer", "Regions with fewer pixels", "mistake specks-kept"),
+        asked("fewer", "Regions with fewer pixels", "mistake specks-kept", "case specks only"),
         asked("names", "Color name per object", "value of names"),
         asked(
             "areas", "Number of pixels, in the same order", "mistake outline-area", "value of areas"

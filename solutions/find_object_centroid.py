@@ -20,11 +20,11 @@ def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
     guarded = "no-empty-case" not in mistakes
     if guarded and not contours:
         return None
-    chosen = choose(contours, key=cv2.contourArea)  # of nothing: ValueError
-    if guarded and cv2.contourArea(chosen) == 0:
-        return None
-    region = mask if "all-regions" in mistakes else chosen
+    # The largest of nothing is a ValueError.
+    region = mask if "all-regions" in mistakes else choose(contours, key=cv2.contourArea)
     moments = cv2.moments(region)
+    if guarded and moments["m00"] == 0:
+        return None
     x, y = moments["m10"] / moments["m00"], moments["m01"] / moments["m00"]  # ZeroDivisionError
     if "box-center" in mistakes:
         left, top, wide, high = cv2.boundingRect(region)
@@ -40,6 +40,25 @@ def _make_line(height: int, width: int) -> np.ndarray:
     return mask
 
 
+def _make_bar(rng: np.random.Generator) -> np.ndarray:
+    """Make a compact region and a long thin one, whose outline is longer and whose area smaller."""
+    mask = np.zeros((34, 50), dtype=np.uint8)
+    side, length = int(rng.integers(11, 14)), int(rng.integers(38, 44))
+    top, left = map(int, rng.integers((3, 4), (8, 30)))
+    mask[top : top + side, left : left + side] = 255
+    mask[28:30, 3 : 3 + length] = 255
+    return mask if rng.random() < 0.5 else mask.T.copy()
+
+
+def _make_small(rng: np.random.Generator) -> np.ndarray:
+    """Make a region of a few pixels, and a dot before and behind it."""
+    mask = np.zeros((18, 24), dtype=np.uint8)
+    top, left = map(int, rng.integers((4, 3), (8, 16)))
+    mask[top : top + 5, left : left + 6] = 255
+    mask[[1, 15], [left + 4, left - 1]] = 255
+    return mask
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(61)
     return (
@@ -47,6 +66,8 @@ def _visible() -> tuple[Case, ...]:
         Case("a picture that is higher than wide, 1 inside", (make_mask(rng, 78, 52) // 255,)),
         Case("an empty mask", (np.zeros((20, 30), dtype=np.uint8),)),
         Case("a line of one pixel's width, which has no area", (_make_line(20, 30),)),
+        Case("a long thin region beside a compact one", (_make_bar(rng),)),
+        Case("a small region and two specks of one pixel", (_make_small(rng),)),
     )
 
 
@@ -58,6 +79,8 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         Case("1 inside", (make_mask(rng, 60, 90)[:, ::-1] // 255,)),
         Case("empty", (np.zeros((height, width), dtype=np.uint8),)),
         Case("a line", (_make_line(height, width),)),
+        Case("long and thin", (_make_bar(rng),)),
+        Case("small", (_make_small(rng),)),
     )
 
 
@@ -173,9 +196,19 @@ EXERCISE = Exercise(
             "Anything not zero is inside",
             "case a picture that is higher than wide, 1 inside",
         ),
-        asked("rounding", "Center of mass of the external contour", "value", "mistake box-center"),
         asked(
-            "none-where", "None where there is no contour", "case a line", "mistake no-empty-case"
+            "largest-area",
+            "Center of mass of the external contour",
+            "value",
+            "mistake box-center",
+            "case a long thin region",
+        ),
+        asked(
+            "none-where",
+            "None where there is no contour",
+            "case a line",
+            "case a small region",
+            "mistake no-empty-case",
         ),
     ),
     visible=_visible,

@@ -88,21 +88,66 @@ def _make_case(rng: np.random.Generator, label: str, noise: int) -> Case:
     return Case(label, (np.array(pictures).astype(np.uint8), np.round(pans, 4), noise))
 
 
+def _make_log(rng: np.random.Generator, label: str, noise: int, pictures: list[Any]) -> Case:
+    """Make a log whose neck turns by 0.05 rad and more before every picture."""
+    steps = rng.uniform(0.05, 0.1, size=len(pictures))
+    pans = rng.uniform(-0.3, 0.0) + np.cumsum(steps)
+    return Case(label, (np.array(pictures).astype(np.uint8), np.round(pans, 4), noise))
+
+
+def _make_faint(rng: np.random.Generator, label: str, noise: int) -> Case:
+    """Make a log with two changes that gray values hide, and that go one way only."""
+    first = rng.integers(60, 190, size=(3, 4, 3))
+    darker, brighter = np.zeros((2, 3, 4, 3), dtype=np.int64)
+    darker[2, 1, 2] = noise + 1
+    brighter[0, 3, 0] = noise + 1
+    grain = rng.integers(-noise, noise + 1, size=first.shape)
+    second = first - darker
+    return _make_log(rng, label, noise, [first, second, second + grain, second + grain + brighter])
+
+
+def _make_glaring(rng: np.random.Generator, label: str, noise: int) -> Case:
+    """Make a log with the least and the largest value: 255 + 1 is 0 again in a byte."""
+    first = rng.integers(60, 190, size=(3, 4, 3))
+    first[0, 1], first[2, 2] = 0, 255
+    other = first.copy()
+    other[0, 1] = 255
+    grain = rng.integers(1, noise + 1, size=first.shape)
+    repeated = np.where(first > 100, first - grain, first + grain)
+    return _make_log(rng, label, noise, [first, repeated, first, other, first, first])
+
+
+def _make_round(rng: np.random.Generator, label: str, noise: int) -> Case:
+    first, second = rng.integers(60, 190, size=(2, 3, 4, 3))
+    return _make_log(rng, label, noise, [first, second, second, first])
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(101)
     return (
         _make_case(rng, "a log of fourteen pictures", 3),
         _make_case(rng, "another log, with more noise", 5),
+        _make_faint(rng, "one color of one pixel changes by one more than the noise", 4),
+        _make_glaring(rng, "black and white pixels", 3),
+        _make_round(rng, "at another angle the last picture equals the first", 2),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"log {number}", int(rng.integers(2, 7))) for number in range(4))
+    def draw_noise() -> int:
+        return int(rng.integers(2, 7))
+
+    return (
+        *(_make_case(rng, f"log {number}", draw_noise()) for number in range(4)),
+        _make_faint(rng, "a faint change", draw_noise()),
+        _make_glaring(rng, "black and white", draw_noise()),
+        _make_round(rng, "back again", draw_noise()),
+    )
 
 
 def _turn_far(pans: np.ndarray) -> np.ndarray:
     steps = np.diff(pans, prepend=pans[:1])
-    return np.cumsum(np.where(np.abs(steps) > 0.001, 0.1 + np.abs(steps), 0.0))
+    return np.cumsum(np.where(np.abs(steps) > 0.001, steps + 0.1 * np.sign(steps), 0.0))
 
 
 EXERCISE = Exercise(
@@ -120,6 +165,11 @@ EXERCISE = Exercise(
             "large-turns",
             "the neck turns by 0.1 rad and more, or not at all",
             lambda a: {"pans": _turn_far(a["pans"])},
+        ),
+        Simplification(
+            "to-one-side",
+            "the neck turns to its left only",
+            lambda a: {"pans": np.cumsum(np.abs(np.diff(a["pans"], prepend=a["pans"][:1])))},
         ),
         Simplification(
             "turns-always",
@@ -182,11 +232,22 @@ EXERCISE = Exercise(
             "mistake mean-change",
             "mistake bytes-wrap",
             "case another log, with more noise",
+            "case one color of one pixel",
         ),
-        asked("first", "The first picture is never stale", "mistake first-picture"),
+        asked(
+            "first",
+            "The first picture is never stale",
+            "mistake first-picture",
+            "case at another angle the last picture",
+        ),
         given("order", "The pictures, oldest first"),
         given("angle", "when each picture was taken"),
-        asked("noise", "Largest change of a value", "mistake bytes-wrap"),
+        asked(
+            "noise",
+            "Largest change of a value",
+            "mistake bytes-wrap",
+            "case black and white pixels",
+        ),
         asked("true-where", "True where a picture is stale.", "value"),
     ),
     visible=_visible,

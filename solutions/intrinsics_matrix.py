@@ -29,6 +29,7 @@ def _visible() -> tuple[Case, ...]:
         Case("a picture that is higher than wide, odd sizes", (1.3, 33, 57)),
         Case("the size of the lab, a narrow angle", (0.55, 640, 480)),
         Case("a line camera: one column", (0.7, 1, 40)),
+        Case("an angle of more than 90 degrees", (1.9, 50, 38)),
     )
 
 
@@ -44,7 +45,9 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         )
         for number in range(5)
     )
-    return (*pictures, Case("one column", (0.9, 1, int(rng.integers(30, 180)))))
+    column = Case("one column", (0.9, 1, int(rng.integers(30, 180))))
+    wide = Case("a wide angle", (round(float(rng.uniform(1.7, 2.4)), 6), 200, 150))
+    return (*pictures, column, wide)
 
 
 EXERCISE = Exercise(
@@ -131,7 +134,12 @@ EXERCISE = Exercise(
             "middle", "so the middle of W pixels is at", "mistake half-pixel", "case a line camera"
         ),
         asked("square", "Pixels are square: fx = fy", "mistake width-for-height"),
-        asked("radians", "Vertical field of view in radians", "mistake radians-again"),
+        asked(
+            "radians",
+            "Vertical field of view in radians",
+            "mistake radians-again",
+            "case an angle of more than 90 degrees",
+        ),
         given("size", "Picture size in pixels"),
         asked("layout", "[[f, 0, cx]", "mistake transposed"),
         asked("example", "240. ,   0. , 319.5", "value"),

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from solutions._cases import make_rotation
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 from solutions._simpler import Simplification
 
@@ -84,19 +83,36 @@ def _answer_with(mistakes: frozenset[str], points: np.ndarray) -> Any:
     return np.append(normal, offset), points @ rotation.T + shift
 
 
-def _make_case(rng: np.random.Generator, label: str) -> Case:
-    """Make a table with things on it and a floor below, seen by a camera that looks down at it."""
-    table = rng.uniform([-0.6, -0.4, -0.0008], [0.6, 0.4, 0.0008], size=(120, 3))
-    things = rng.uniform([-0.3, -0.2, 0.03], [0.1, 0.3, 0.3], size=(50, 3))
-    floor = rng.uniform([-1.5, -1, -0.72], [1.5, 1, -0.68], size=(40, 3))
+#: What is special about a camera, the angle by which it looks down, and its roll, in degrees.
+_CAMERAS = (
+    ("a camera that looks steeply down", (55, 62), (5, 20)),
+    ("a level camera: its optical axis is parallel to the table", (0, 0), (35, 60)),
+    ("a camera that is rolled far to the side and looks up a little", (-14, -8), (115, 150)),
+)
+
+
+def _make_case(
+    rng: np.random.Generator, label: str, downs: tuple[int, int], rolls: tuple[int, int]
+) -> Case:
+    """Make a table with things on it and a floor below, all of it before the camera.
+
+    The table's normal stays away from the axes z and y, where the smallest rotation is not unique.
+    """
+    table = rng.uniform([-0.6, -0.4, -0.0002], [0.6, 0.4, 0.0002], size=(60, 3))
+    # Some lie higher: the median of their heights is not the mean.
+    table[:, 2] += np.where(rng.random(60) < 0.3, 0.0014, 0)
+    things = rng.uniform([-0.3, -0.2, 0.033], [0.1, 0.3, 0.3], size=(30, 3))
+    floor = rng.uniform([-0.6, -1, -0.72], [1.5, 1, -0.68], size=(20, 3))
     points = rng.permutation(np.concatenate([table, things, floor]))
-    while True:
-        rotation = make_rotation(rng)  # table to camera
-        # Not about the poles of z and y, where the smallest rotation is not unique.
-        if abs(rotation[2, 2]) < 0.9 and abs(rotation[1, 2]) < 0.9:
-            break
-    camera = rng.uniform([-0.8, -0.3, 0.5], [-0.5, 0.3, 0.9])
-    return Case(label, (np.round((points - camera) @ rotation.T, 6),))
+    down, roll = np.deg2rad(rng.uniform(*downs)), np.deg2rad(rng.uniform(*rolls))
+    roll *= rng.choice([-1, 1])
+    # Rows are the axes of the camera in the frame of the table: x right, y down, z forward.
+    axes = np.array(
+        [[0, -1, 0], [-np.sin(down), 0, -np.cos(down)], [np.cos(down), 0, -np.sin(down)]]
+    )
+    turn = [[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]]
+    camera = rng.uniform([-1.1, -0.3, 0.5], [-0.9, 0.3, 0.9])
+    return Case(label, (np.round((points - camera) @ (turn @ axes).T, 6),))
 
 
 def _is_upside_down(points: np.ndarray) -> bool:
@@ -107,23 +123,22 @@ def _is_upside_down(points: np.ndarray) -> bool:
     return bool(np.linalg.svd(table - center)[2][2] @ center > 0)
 
 
-def _make_cases(rng: np.random.Generator, labels: tuple[str, ...]) -> tuple[Case, ...]:
+def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     """Make cases of which every second needs its normal turned around, as a fit may give either."""
     cases: list[Case] = []
-    while len(cases) < len(labels):
-        case = _make_case(rng, labels[len(cases)])
+    while len(cases) < len(_CAMERAS):
+        case = _make_case(rng, *_CAMERAS[len(cases)])
         if _is_upside_down(*case.args) == bool(len(cases) % 2):
             cases.append(case)
     return tuple(cases)
 
 
 def _visible() -> tuple[Case, ...]:
-    labels = ("a table, things on it, and a floor", "another camera")
-    return _make_cases(np.random.default_rng(110), labels)
+    return _make_cases(np.random.default_rng(110))
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return _make_cases(rng, tuple(f"table {number}" for number in range(5)))
+    return (*_make_cases(rng), *_make_cases(rng))
 
 
 def _measure_heights(points: np.ndarray) -> np.ndarray:

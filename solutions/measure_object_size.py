@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from solutions._cases import make_blocks
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
 from solutions._simpler import Simplification, is_valid
 
@@ -116,19 +117,37 @@ def _make_limit_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     )
 
 
+def _make_column_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    """Make objects of columns, left of the optical axis: what must not count makes them wider."""
+    K = np.array([[31.0, 0, 13.2], [0, 35, 8.1], [0, 0, 1]])
+    near = float(np.round(rng.uniform(0.9, 1.1), 3))
+    columns = {
+        "more pixels of the mask are invalid than valid": (0, 0, near, near + 0.02, near, 0, 0),
+        "a deep object, before it a nearer thing, behind it a farther one": (
+            *(near + step for step in (0.3, 0.04, 0.02, 0, -0.02, -0.04, -0.3)),
+        ),
+    }
+    cases = []
+    for label, depths in columns.items():
+        labels, depth = make_blocks(((1, 3, 4, depths),))
+        cases.append(Case(label, ((labels * 255).astype(np.uint8), depth, K)))
+    return tuple(cases)
+
+
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(108)
     return (
         _make_case(rng, "a slanted board before a wall", 40, 60),
         _make_case(rng, "a picture that is higher than wide", 66, 46),
         *_make_limit_cases(rng),
+        *_make_column_cases(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     sizes = rng.integers([36, 56], [46, 70], size=(3, 2))
     boards = (_make_case(rng, f"board {n}", int(h), int(w)) for n, (h, w) in enumerate(sizes))
-    return (*boards, *_make_limit_cases(rng))
+    return (*boards, *_make_limit_cases(rng), *_make_column_cases(rng))
 
 
 def _find_object(args: dict[str, Any]) -> np.ndarray:
@@ -174,7 +193,7 @@ EXERCISE = Exercise(
     simpler=(
         Simplification("mask-fits", "no pixel of the mask sees the wall", _fit_mask),
         Simplification("flat", "the side has the same depth everywhere", _flatten),
-        Simplification("centered-object", "the object is in the middle of the picture", _aim),
+        Simplification("centered-object", "the optical axis meets the middle of the object", _aim),
         Simplification("fills-the-picture", "the object fills the picture", _fill_picture),
     ),
     parts=(Part("size", "vector", "float", atol=1e-4, unit="m"),),
@@ -230,6 +249,8 @@ EXERCISE = Exercise(
             "mistake mask-ignored",
             "case right before the lens",
             "case at the end of the range",
+            "case more pixels of the mask",
+            "case a deep object",
         ),
         asked(
             "extent",

@@ -6,9 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from solutions._cases import make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
-from solutions._simpler import Simplification, face_along, is_valid, move_to_origin, put
+from solutions._object_cases import (
+    fill_objects,
+    flatten_objects,
+    make_small_objects,
+    make_table,
+    move_background,
+)
+from solutions._simpler import Simplification, face_along, move_to_origin, put
 
 
 def nearest_object(
@@ -24,7 +30,7 @@ def nearest_object(
     pixels of an object give its width (largest minus smallest x in the camera frame) and its
     position (median of x, median of y, median of z in the camera frame). The nearest object is
     the one whose position has the smallest distance from the camera, among those that are at most
-    `max_width` wide.
+    `max_width` wide. An object without a valid pixel does not fit.
 
     Parameters
     ----------
@@ -51,6 +57,8 @@ def nearest_object(
     valid = (depth_metric > 0.01) & (depth_metric < 10)
     for label in range(1, labels.max() + 1):
         v, u = np.nonzero(valid & (labels == label))
+        if not v.size:
+            continue
         z = depth_metric[v, u].astype(np.float64)
         x, y = (u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z
         position = np.array([np.median(x), np.median(y), np.median(z)])
@@ -76,6 +84,8 @@ def _answer_with(
     candidates = []
     for label in np.unique(labels[labels > 0]):
         v, u = np.nonzero(valid & (labels == label))
+        if not v.size:
+            continue
         pixels = np.stack([u, v, np.ones_like(u)])
         points = (np.linalg.inv(K) @ pixels * depth_metric[v, u]).T
         position = middle(points, axis=0)
@@ -92,59 +102,21 @@ def _answer_with(
     return label, (pose @ [*position, 1])[:3]
 
 
-def _make_case(rng: np.random.Generator, label: str, *, max_width: float = 0.25) -> Case:
-    """Make five objects: near but wide, near but to the side, nearest by distance, and two far."""
-    height, width = 48, 72
-    focal_px = float(rng.uniform(58, 64))
-    K = np.array([[focal_px, 0, 35.1], [0, 1.1 * focal_px, 24.2], [0, 0, 1]])
-    labels = np.zeros((height, width), dtype=np.int32)
-    depth = np.full((height, width), 2.6, dtype=np.float32)
-    near = float(rng.uniform(0.95, 1.05))
-    # Left, top, columns, rows, depth. By depth the second is nearest, then the first, which is too
-    # wide; by distance the first, then the third. The last two differ in the same way.
-    shapes = [
-        (22, 3, 30, 9, near - 0.04),
-        (1, 18, 7, 20, near - 0.06),
-        (31, 20, 9, 11, near + 0.01),
-    ]
-    shapes += [(42, 16, 8, 12, near + 0.5), (62, 30, 8, 12, near + 0.44)]
-    numbers = rng.permutation([1, 2, 3, 4, 5])
-    for number, (left, top, columns, rows, z) in zip(numbers, shapes, strict=True):
-        where = np.s_[top : top + rows, left : left + columns]
-        labels[where] = number
-        depth[where] = z + rng.uniform(-0.004, 0.004, size=(rows, columns))
-        depth[top : top + rows // 4, left : left + columns] += 0.06  # a part that stands back
-        if z < near + 0.4:  # all but the last two have pixels that measured nothing
-            depth[top + rows - 1, left : left + 3] = (0, 12, 12)
-            depth[top + rows - 1, left + columns - 2 : left + columns] = 12
-    T_world_cam = np.eye(4)
-    T_world_cam[:3, :3], T_world_cam[:3, 3] = make_rotation(rng), rng.uniform(-1, 1, size=3)
-    return Case(label, (labels, depth, np.round(K, 3), np.round(T_world_cam, 6), max_width))
-
-
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(107)
+    table = make_table(rng, "five objects on a table")
     return (
-        _make_case(rng, "five objects on a table"),
-        _make_case(rng, "the same table, another camera"),
-        _make_case(rng, "a hand that is too small for all of them", max_width=0.03),
+        table,
+        make_table(rng, "the same table, another camera"),
+        Case("a hand that is too small for all of them", (*table.args[:-1], 0.03)),
+        *make_small_objects(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return (
-        *(_make_case(rng, f"table {number}") for number in range(3)),
-        _make_case(rng, "too small a hand", max_width=0.02),
-    )
-
-
-def _flatten(args: dict[str, Any]) -> dict[str, Any]:
-    depth, labels = args["depth_metric"], args["labels"]
-    for label in np.unique(labels):
-        seen = is_valid(depth) & (labels == label)
-        if seen.any():
-            depth[seen] = np.median(depth[seen])
-    return {"depth_metric": depth}
+    tables = tuple(make_table(rng, f"table {number}") for number in range(3))
+    small = Case("too small a hand", (*tables[0].args[:-1], 0.02))
+    return (*tables, small, *make_small_objects(rng))
 
 
 def _number_anew(args: dict[str, Any]) -> dict[str, Any]:
@@ -178,8 +150,10 @@ EXERCISE = Exercise(
             "the camera is at the origin",
             lambda a: {"T_world_cam": move_to_origin(a["T_world_cam"])},
         ),
-        Simplification("even-depth", "every object has the same depth everywhere", _flatten),
+        Simplification("even-depth", "every object has the same depth everywhere", flatten_objects),
         Simplification("label-1", "the nearest object has the label 1", _number_anew),
+        Simplification("far-background", "the background is far away", move_background),
+        Simplification("all-valid", "no pixel of an object is invalid", fill_objects),
         Simplification("large-hand", "the hand is large enough for all", put(max_width=9.0)),
     ),
     parts=(
@@ -253,10 +227,21 @@ EXERCISE = Exercise(
             "mistake camera-frame",
         ),
         asked("choose", "Choose the nearest object", "value of label"),
-        asked("valid", "Only pixels with a valid depth count", "mistake invalid-kept"),
+        asked(
+            "valid",
+            "Only pixels with a valid depth count",
+            "mistake invalid-kept",
+            "case depths and a width",
+        ),
         asked("width-position", "give its width", "mistake mean-position", "mistake any-width"),
-        asked("nearest", "has the smallest distance", "mistake depth-only"),
-        given("background", "0 for the background"),
+        asked(
+            "nearest",
+            "has the smallest distance",
+            "mistake depth-only",
+            "case objects that are nearer",
+        ),
+        asked("empty", "An object without a valid pixel", "case something near"),
+        asked("background", "0 for the background", "case something near"),
         asked("invalid-inside", "may include invalid ones", "mistake invalid-kept"),
         given("intrinsics", "Intrinsic matrix"),
         asked("pose", "Pose of the camera", "mistake pose-inverted"),

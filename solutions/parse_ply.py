@@ -14,10 +14,11 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
     """Read points and colors from the text of an ASCII PLY file.
 
     The header ends with the line ``end_header``. Its line ``element vertex N`` says that the first
-    N lines after the header hold one point each, with one number per ``property`` line that
-    follows ``element vertex``, in that order. Points have x, y and z, and either red, green and
-    blue (0 to 255) or none of the three, in any order among other properties. There may be
-    ``comment`` lines, and other elements after the vertices.
+    N lines after the header hold one point each, with one number of any type per ``property`` line
+    that follows ``element vertex``, in that order. N may be 0. Numbers may have an exponent, as in
+    ``1.5e-03``, and several spaces or tabs between them. Points have x, y and z, and either red,
+    green and blue (0 to 255) or none of the three, in any order among other properties. There may
+    be ``comment`` lines in the header, with any words, and other elements after the vertices.
 
     Parameters
     ----------
@@ -42,7 +43,7 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
         elif words[0] == "property" and element == "vertex":
             names.append(words[-1])
     rows = [line.split() for line in lines[end + 1 : end + 1 + count]]
-    table = np.array(rows, dtype=np.float64)
+    table = np.array(rows, dtype=np.float64).reshape(count, len(names))
     points = table[:, [names.index(axis) for axis in "xyz"]]
     if "red" not in names:
         return points, None
@@ -50,7 +51,7 @@ def parse_ply(text: str) -> tuple[np.ndarray, np.ndarray | None]:
 
 
 def _answer_with(mistakes: frozenset[str], text: str) -> Any:
-    header, _, body = text.partition("end_header\n")
+    header, _, body = text.partition("\nend_header\n")
     header = "\n".join(line for line in header.splitlines() if not line.startswith("comment"))
     vertex = header.partition("element vertex ")[2].partition("element ")[0].splitlines()
     names = [line.split()[-1] for line in vertex[1:] if line.startswith("property")]
@@ -60,38 +61,69 @@ def _answer_with(mistakes: frozenset[str], text: str) -> Any:
     count = len(body.splitlines()) if "other-elements-read" in mistakes else int(vertex[0])
     first = 1 if "first-point-lost" in mistakes else 0
     rows = [[float(word) for word in line.split()] for line in body.splitlines()[first:count]]
-    points = [[row[names.index(axis)] for axis in "xyz"] for row in rows]
+    points = np.reshape([[row[names.index(axis)] for axis in "xyz"] for row in rows], (-1, 3))
     if not has_colors:
-        return np.array(points), None
+        return points, None
     channels = ["red", "green", "blue"]
     if "blue-first" in mistakes:
         channels.reverse()
-    colors = np.array([[row[names.index(name)] for name in channels] for row in rows])
-    return np.array(points), colors if "colors-to-255" in mistakes else colors / 255
+    colors = [row[names.index(name)] for row in rows for name in channels]
+    scale = 1 if "colors-to-255" in mistakes else 255
+    return points, np.reshape(colors, (-1, 3)) / scale
 
 
-def _make_text(rng: np.random.Generator, names: tuple[str, ...], faces: int = 0) -> str:
-    count = int(rng.integers(6, 12))
-    kinds = {name: "uchar" if name in ("red", "green", "blue") else "float" for name in names}
-    header = ["ply", "format ascii 1.0", "comment a cloud of the lab", f"element vertex {count}"]
-    header.append("comment in meters")
+def _make_text(
+    rng: np.random.Generator,
+    names: tuple[str, ...],
+    *,
+    faces: int = 0,
+    count: int | None = None,
+    comments: tuple[str, ...] = ("a cloud of the lab",),
+    kind: str = "float",
+    form: str = ".4f",
+    gaps: tuple[str, ...] = (" ",),
+) -> str:
+    count = int(rng.integers(6, 12)) if count is None else count
+    kinds = {name: "uchar" if name in ("red", "green", "blue") else kind for name in names}
+    header = ["ply", "format ascii 1.0", *(f"comment {words}" for words in comments)]
+    header += [f"element vertex {count}", "comment in meters"]
     header += [f"property {kinds[name]} {name}" for name in names]
     if faces:
         header += [f"element face {faces}", "property list uchar int vertex_indices"]
-    rows = [
-        " ".join(
-            str(rng.integers(0, 256)) if kinds[name] == "uchar" else f"{rng.uniform(-2, 2):.4f}"
-            for name in names
-        )
-        for _ in range(count)
-    ]
+    rows = []
+    for _ in range(count):
+        row = ""
+        for name in names:
+            row += str(rng.choice(gaps)) if row else ""
+            color = kinds[name] == "uchar"
+            row += str(rng.integers(0, 256)) if color else format(rng.uniform(-2, 2), form)
+        rows.append(row)
     # Quads with many corners: as many numbers as a point has, so that reading on does not stop.
-    corners = [" ".join(map(str, [7, *rng.integers(0, count, size=7)])) for _ in range(faces)]
+    corners = [" ".join(map(str, [7, *rng.integers(0, 6, size=7)])) for _ in range(faces)]
     return "\n".join([*header, "end_header", *rows, *corners]) + "\n"
 
 
 _COLORED = ("x", "y", "z", "red", "green", "blue")
 _SHUFFLED = ("red", "green", "blue", "quality", "z", "x", "y")
+_NORMALS = ("x", "y", "z", "nx", "ny", "nz")
+_MISLEADING = ("element vertex 3", "property float red", "before end_header")
+
+
+def _make_odd_cases(rng: np.random.Generator) -> tuple[Case, ...]:
+    """Make files that the statement allows, and that are not what one expects."""
+    wide = (" ", "  ", "   ", "\t")
+    texts = {
+        "comments with the words of header lines": _make_text(
+            rng, ("x", "y", "z"), comments=_MISLEADING
+        ),
+        "normals, and numbers of type double with exponents": _make_text(
+            rng, _NORMALS, kind="double", form=".5e"
+        ),
+        "several spaces or tabs between numbers": _make_text(rng, _COLORED, gaps=wide),
+        "a single point": _make_text(rng, _COLORED, count=1),
+        "no point at all": _make_text(rng, _COLORED, count=0),
+    }
+    return tuple(Case(label, (text,)) for label, text in texts.items())
 
 
 def _visible() -> tuple[Case, ...]:
@@ -100,14 +132,19 @@ def _visible() -> tuple[Case, ...]:
         Case("points with colors", (_make_text(rng, _COLORED),)),
         Case("points without colors, then faces", (_make_text(rng, ("x", "y", "z"), faces=4),)),
         Case("properties in another order, then faces", (_make_text(rng, _SHUFFLED, faces=3),)),
+        *_make_odd_cases(rng),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
+    order: list[str] = rng.permutation(_SHUFFLED).tolist()
+    while order.index("x") < order.index("y") or order[3] == "red":  # as a guess would have it
+        order = rng.permutation(_SHUFFLED).tolist()
     return (
         Case("plain", (_make_text(rng, ("x", "y", "z")),)),
         Case("colors", (_make_text(rng, _COLORED, faces=2),)),
-        Case("shuffled", (_make_text(rng, tuple(rng.permutation(_SHUFFLED)), faces=3),)),
+        Case("shuffled", (_make_text(rng, tuple(order), faces=3),)),
+        *_make_odd_cases(rng),
     )
 
 
@@ -155,8 +192,8 @@ EXERCISE = Exercise(
         ),
     ),
     tolerance_reason=(
-        "the file has four decimals; single precision keeps them. Colors: a quarter of a level of "
-        "255"
+        "numbers in the files have few digits, which single precision keeps. Colors: a quarter of "
+        "a level of 255"
     ),
     misconceptions=(
         Misconception(
@@ -199,6 +236,14 @@ EXERCISE = Exercise(
             "the first N lines after the header",
             "mistake first-point-lost",
             "mistake other-elements-read",
+            "case a single point",
+        ),
+        asked("no-point", "N may be 0", "case no point at all"),
+        asked(
+            "numbers",
+            "Numbers may have an exponent",
+            "case normals, and numbers",
+            "case several spaces",
         ),
         asked(
             "any-order",
@@ -208,7 +253,11 @@ EXERCISE = Exercise(
             "case properties in another order",
         ),
         asked(
-            "others", "There may be", "mistake other-elements-read", "case points without colors"
+            "others",
+            "There may be",
+            "mistake other-elements-read",
+            "case points without colors",
+            "case comments with the words",
         ),
         given("text", "The whole file"),
         asked("xyz", "x, y, z.", "value of points"),

@@ -8,7 +8,15 @@ import numpy as np
 
 from solutions._cases import make_depth, make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
-from solutions._simpler import Simplification, carry, face_along, is_valid, move_to_origin
+from solutions._simpler import Simplification
+from solutions._simpler_views import (
+    keep_ahead,
+    keep_inside,
+    not_moved,
+    not_turned,
+    put_on_pixels,
+    put_on_surface,
+)
 
 #: A point may lie this far behind the measured surface and still be on it, in meters.
 _ON_SURFACE = 0.02
@@ -157,55 +165,6 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return tuple(_make_case(rng, f"view {n}", int(h), int(w)) for n, (h, w) in enumerate(sizes))
 
 
-def _look(args: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the points in the camera frame, and their pixels."""
-    points = carry(args["points_world"], args["T_world_cam"], np.eye(4))
-    with np.errstate(all="ignore"):
-        pixels = points @ args["K"].T
-        return points, pixels[:, :2] / pixels[:, 2:]
-
-
-def _keep_ahead(args: dict[str, Any]) -> dict[str, Any]:
-    points, _ = _look(args)
-    return {"points_world": args["points_world"][points[:, 2] > 0.02]}
-
-
-def _keep_inside(args: dict[str, Any]) -> dict[str, Any]:
-    points, pixels = _look(args)
-    last = np.array(args["depth_metric"].shape[::-1]) - 1
-    kept = (points[:, 2] > 0.02) & ((pixels > 0) & (pixels < last)).all(axis=1)
-    return {"points_world": args["points_world"][kept]}
-
-
-def _put_on_pixels(args: dict[str, Any]) -> dict[str, Any]:
-    return _put(args, np.rint)
-
-
-def _put_on_surface(args: dict[str, Any]) -> dict[str, Any]:
-    return _put(args, np.asarray, on_surface=True)
-
-
-def _put(args: dict[str, Any], place: Any, *, on_surface: bool = False) -> dict[str, Any]:
-    points, pixels = _look(args)
-    height, width = args["depth_metric"].shape
-    pixels = place(pixels)
-    inside = points[:, 2] > 0.02
-    inside &= ((np.rint(pixels) >= 0) & (np.rint(pixels) < [width, height])).all(axis=1)
-    z = points[inside, 2]
-    u, v = np.rint(pixels[inside]).astype(int).T
-    seen = args["depth_metric"][v, u]
-    if on_surface:
-        z = np.where(is_valid(seen), seen, z)
-    ways = np.column_stack([pixels[inside], np.ones(len(z))]) @ np.linalg.inv(args["K"]).T
-    return {"points_world": carry(ways * z[:, None], np.eye(4), args["T_world_cam"])}
-
-
-def _move(args: dict[str, Any], change: Any) -> dict[str, Any]:
-    old = args["T_world_cam"]
-    new = change(old)
-    return {"T_world_cam": new, "points_world": carry(args["points_world"], old, new)}
-
-
 EXERCISE = Exercise(
     name="project_visible_points",
     title="project points and tell which are visible",
@@ -217,16 +176,14 @@ EXERCISE = Exercise(
     reference=project_visible_points,
     answer_with=_answer_with,
     simpler=(
-        Simplification("none-behind", "every point is well before the camera", _keep_ahead),
-        Simplification("all-inside", "every point lies in the picture", _keep_inside),
+        Simplification("none-behind", "every point is well before the camera", keep_ahead),
+        Simplification("all-inside", "every point lies in the picture", keep_inside),
         Simplification(
-            "on-the-surface", "every point lies on the surface that is measured", _put_on_surface
+            "on-the-surface", "every point lies on the surface that is measured", put_on_surface
         ),
-        Simplification("whole-pixels", "every point projects to a whole pixel", _put_on_pixels),
-        Simplification("not-turned", "the camera is not turned", lambda a: _move(a, face_along)),
-        Simplification(
-            "at-the-origin", "the camera is at the origin", lambda a: _move(a, move_to_origin)
-        ),
+        Simplification("whole-pixels", "every point projects to a whole pixel", put_on_pixels),
+        Simplification("not-turned", "the camera is not turned", not_turned),
+        Simplification("at-the-origin", "the camera is at the origin", not_moved),
     ),
     parts=(
         Part("pixels", "pixels", "float", atol=0.02, unit="px"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -61,28 +62,35 @@ def _answer_with(
     return ids, distances if "distances-not-sorted" in mistakes else distances[ids]
 
 
-def _make_case(rng: np.random.Generator, label: str) -> Case:
+def _make_case(rng: np.random.Generator, label: str, *, nameless: bool = False) -> Case:
+    """Make a point in a room with three cameras, or with a fourth that has no name."""
     while True:
         # The head camera sits before the axis of the neck, so that turning the head moves it.
         xml = make_scene_text(rng).replace('name="head_camera"', 'name="head_camera" pos=".4 .1 0"')
-        qpos = (0.1, round(float(rng.uniform(0.5, 0.9)) * rng.choice([-1, 1]), 3))
+        xml = re.sub(r'<camera name="chase_camera"(.*?)/>', r"<camera\1/>" if nameless else "", xml)
+        signs = rng.choice([-1, 1], size=2)
+        qpos = tuple(np.round(rng.uniform([0.3, 0.5], [0.5, 0.9]) * signs, 3).tolist())
         point = np.round(rng.uniform([0.5, -2.0, 0.0], [2.0, 1.0, 0.9]), 3)
         model = mujoco.MjModel.from_xml_string(xml)
         data = mujoco.MjData(model)
         data.qpos[:] = qpos
         ids, distances = rank_cameras(model, data, point)
-        # In the model's own order or the reverse a mistake would not show, nor in a near tie.
-        if np.abs(np.diff(ids)).max() > 1 and np.diff(distances).min() > 0.05:
+        # In the model's own order or the reverse a mistake would not show, nor in a near tie, nor
+        # the place of each camera in the order where it is the order itself.
+        if (ids[ids] != range(model.ncam)).any() and np.diff(distances).min() > 0.05:
             return Case(label, (Scene(xml, ("model", "data"), qpos), point))
 
 
 def _visible() -> tuple[Case, ...]:
     rng = np.random.default_rng(103)
-    return tuple(_make_case(rng, label) for label in ("a point in the room", "another point"))
+    return (
+        _make_case(rng, "a point in the room"),
+        _make_case(rng, "a camera without a name, which follows the ball", nameless=True),
+    )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"point {number}") for number in range(3))
+    return tuple(_make_case(rng, f"point {n}", nameless=n > 0) for n in range(3))
 
 
 EXERCISE = Exercise(
@@ -145,7 +153,7 @@ EXERCISE = Exercise(
         asked("not-noticed", "where they are mounted", "mistake stale-pose"),
         asked("sorted", "Sort the cameras of a model", "value of ids", "mistake along-the-axis"),
         asked("joints-moved", "The joints may have moved", "mistake stale-pose"),
-        given("count", "A model with C cameras"),
+        asked("count", "A model with C cameras", "case a camera without a name"),
         given("state", "Its state"),
         asked("point", "A point in the world, meters", "mistake on-the-floor"),
         asked("numbers", "Numbers of the cameras, nearest first", "value of ids"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import mujoco
@@ -42,10 +43,15 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     def scene(width: int, height: int) -> Any:
         return make_render_scene(rng, width, height)
 
+    following = scene(18, 12)
+    # Who keeps pictures gives the first one again: only the joints differ.
+    later = replace(following, qpos=(-following.qpos[0], following.qpos[1]))
     return (
-        Case("a camera on the head, after its joint was moved", (scene(40, 30), "head_camera")),
-        Case("a camera at the side", (scene(36, 44), "side_camera")),
-        Case("a camera given by its sensor", (scene(34, 22), "sensor_camera")),
+        Case("a camera on the head, after its joint was moved", (scene(36, 26), "head_camera")),
+        Case("a camera at the side", (scene(30, 38), "side_camera")),
+        Case("a camera given by its sensor", (scene(32, 20), "sensor_camera")),
+        Case("a camera that follows a center of mass", (following, "chase_camera")),
+        Case("the same camera again, after the ball has moved on", (later, "chase_camera")),
         Case("a camera that the model does not have", (scene(8, 6), "tail_camera"), "ValueError"),
     )
 
@@ -79,7 +85,7 @@ EXERCISE = Exercise(
         Misconception(
             "stale-pose",
             "the picture shows where things were, not where qpos puts them now. A renderer reads "
-            "positions that mj_forward (or mj_kinematics) computes: call it first.",
+            "positions that mj_forward computes: call it first.",
             section="step1-stale",
         ),
         Misconception(
@@ -137,6 +143,8 @@ EXERCISE = Exercise(
             "The joints may have moved",
             "mistake stale-pose",
             "case a camera on the head",
+            "case a camera that follows",
+            "case the same camera again",
         ),
         asked(
             "renderer-shared",

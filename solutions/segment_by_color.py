@@ -85,12 +85,20 @@ _PATCHES: tuple[tuple[str, tuple[Color, Color], tuple[Color, ...]], ...] = (
 def _make_patches(
     rng: np.random.Generator, label: str, limits: tuple[Color, Color], colors: tuple[Color, ...]
 ) -> Case:
-    """Make one square per color, in any order, on gray."""
-    rows = np.full((10 * ((len(colors) + 3) // 4), 40, 3), (0, 0, 128), dtype=np.uint8)
-    for number, color in enumerate(rng.permutation(np.array(colors))):
+    """Make one square per color, in any order, on gray.
+
+    Where hues wrap, the last square has one on either side of the seam: who cleans the halves apart
+    loses it, for each is too narrow.
+    """
+    squares = [(color, color) for color in rng.permutation(np.array(colors))]
+    if limits[0][0] > limits[1][0]:
+        squares.append((np.array(colors[0]), np.array(colors[1])))
+    rows = np.full((10 * ((len(squares) + 3) // 4), 40, 3), (0, 0, 128), dtype=np.uint8)
+    for number, (left_half, right_half) in enumerate(squares):
         top, left = number // 4 * 10, number % 4 * 10
         side = int(rng.integers(6, 9))
-        rows[top + 1 : top + side, left + 1 : left + 9] = color
+        rows[top + 1 : top + side, left + 1 : left + 5] = left_half
+        rows[top + 1 : top + side, left + 5 : left + 9] = right_half
     return Case(label, (hsv_to_rgb(rows), limits))
 
 
@@ -98,15 +106,15 @@ _NOT_CLEANED = "a mask that is not cleaned has no kernel and no order"
 
 
 def _smooth(args: dict[str, Any]) -> dict[str, Any]:
-    """Paint large squares: opening and closing leave them as they are."""
+    """Paint specks and holes over, with a color from outside or inside the range."""
     rgb = args["rgb_image"]
-    coarse = cv2.resize(
-        rgb,
-        (max(rgb.shape[1] // 10, 1), max(rgb.shape[0] // 10, 1)),
-        interpolation=cv2.INTER_NEAREST,
-    )
-    large = np.repeat(np.repeat(coarse, 10, axis=0), 10, axis=1)
-    return {"rgb_image": large}
+    raw = _answer_with(frozenset({"no-cleaning"}), rgb, args["target_hsv_range"])
+    clean = _answer_with(frozenset(), rgb, args["target_hsv_range"])
+    for wanted in (0, 255):
+        known = (raw == wanted) & (clean == wanted)
+        if known.any():
+            rgb[(raw != wanted) & (clean == wanted)] = rgb[known][0]
+    return {"rgb_image": rgb}
 
 
 EXERCISE = Exercise(

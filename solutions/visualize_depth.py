@@ -60,7 +60,12 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
         for number in range(4)
     )
     near = spoil_depth(rng, make_depth(rng, 20, 30))
-    return (*rooms, Case("what is near", (near, round(float(rng.uniform(0.7, 0.95)), 2))))
+    return (
+        *rooms,
+        Case("what is near", (near, round(float(rng.uniform(0.7, 0.95)), 2))),
+        # Neither 0 m nor max_depth occurs: who stretches what does is found out.
+        Case("nothing invalid, nothing beyond max_depth", (make_depth(rng, 16, 22), 7.0)),
+    )
 
 
 _ONE_BLUE = "every pixel is the first or second blue of the map, so the scale does not show"
@@ -159,7 +164,7 @@ EXERCISE = Exercise(
             "mistake own-maximum",
         ),
         asked("any-map", "Any map from blue to red will do", "value"),
-        asked("even-steps", "Equal steps in depth", "value"),
+        asked("even-steps", "Equal steps in depth", "value", "mistake own-maximum"),
         told("measurements", "A reader takes colors for measurements"),
         asked(
             "black",

@@ -69,10 +69,21 @@ def _answer_with(
 
 
 def _make_case(rng: np.random.Generator, label: str, count: int) -> Case:
+    # 6 degrees apart at least, in no order: the first or the widest is no better guess.
+    fovs = rng.permutation(np.arange(40, 88, 8))[:count] + rng.uniform(-1, 1, count)
+    return _take_picture(rng, label, np.radians(fovs), int(rng.integers(count)))
+
+
+def _make_alike(rng: np.random.Generator, label: str) -> Case:
+    """Make two cameras of which the first is off by 1 to 4 pixels, the second by the noise."""
+    first = rng.uniform(50, 70)
+    second = first + rng.uniform(1.5, 2.5) * rng.choice([-1, 1])
+    return _take_picture(rng, label, np.radians([first, second]), 1)
+
+
+def _take_picture(rng: np.random.Generator, label: str, fovs: np.ndarray, camera: int) -> Case:
     height, width = int(rng.integers(90, 140)), int(rng.integers(160, 240))
-    # 8 degrees apart at least, in no order: the first or the widest is no better guess.
-    fovs = np.radians(rng.permutation(np.arange(40, 88, 8))[:count] + rng.uniform(-1, 1, count))
-    focal_px = height / (2 * np.tan(fovs[rng.integers(count)] / 2))
+    focal_px = height / (2 * np.tan(fovs[camera] / 2))
     center = np.array([(width - 1) / 2, (height - 1) / 2])
     found = rng.uniform([0, 0], [width - 1, height - 1], size=(9, 2))
     z = rng.uniform(0.8, 2.5, size=(9, 1))
@@ -87,11 +98,13 @@ def _visible() -> tuple[Case, ...]:
         _make_case(rng, "two cameras", 2),
         _make_case(rng, "two cameras, another picture", 2),
         _make_case(rng, "five cameras", 5),
+        _make_alike(rng, "two cameras with nearly the same field of view"),
     )
 
 
 def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
-    return tuple(_make_case(rng, f"{count} cameras", count) for count in (2, 3, 4, 6))
+    cases = tuple(_make_case(rng, f"{count} cameras", count) for count in (2, 3, 4, 6))
+    return (*cases, _make_alike(rng, "two that are nearly alike"))
 
 
 def _find_exactly(args: dict[str, Any]) -> dict[str, Any]:
@@ -181,7 +194,12 @@ EXERCISE = Exercise(
             "mistake width-for-height",
         ),
         given("size", "Size of the picture, pixels"),
-        asked("counted", "counted from 0", "value of camera"),
+        asked(
+            "counted",
+            "explains the pixels best, counted",
+            "value of camera",
+            "case two cameras with",
+        ),
         asked("mean-distance", "the mean distance", "value of error_px", "mistake errors-cancel"),
     ),
     visible=_visible,

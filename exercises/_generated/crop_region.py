@@ -26,6 +26,7 @@ def crop_region(points_world, T_world_robot, low, high):
     Returns
     -------
     ndarray, float, (M, 3)
-        The points in the box, in the robot's frame, in any order.
+        The points in the box, in the robot's frame, in any order; M
+        may be 0.
     """
     raise NotImplementedError

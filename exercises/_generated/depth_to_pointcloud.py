@@ -30,7 +30,7 @@ def depth_to_pointcloud(depth_metric, K, rgb_image=None):
     -------
     points : ndarray, float, shape (N, 3)
         Meters. Pixels whose depth is NaN, infinite, <= 0.01 m or >=
-        10 m are left out.
+        10 m are left out; where no pixel is left, N is 0.
     colors : ndarray, float, shape (N, 3), or None
         RGB in [0, 1] of the same pixels; None without `rgb_image`.
 

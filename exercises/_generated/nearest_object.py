@@ -15,7 +15,8 @@ def nearest_object(labels, depth_metric, K, T_world_cam, max_width):
     (largest minus smallest x in the camera frame) and its position
     (median of x, median of y, median of z in the camera frame). The
     nearest object is the one whose position has the smallest distance
-    from the camera, among those that are at most `max_width` wide.
+    from the camera, among those that are at most `max_width` wide. An
+    object without a valid pixel does not fit.
 
     Parameters
     ----------

@@ -11,11 +11,13 @@ def parse_ply(text):
 
     The header ends with the line ``end_header``. Its line ``element
     vertex N`` says that the first N lines after the header hold one
-    point each, with one number per ``property`` line that follows
-    ``element vertex``, in that order. Points have x, y and z, and
-    either red, green and blue (0 to 255) or none of the three, in any
-    order among other properties. There may be ``comment`` lines, and
-    other elements after the vertices.
+    point each, with one number of any type per ``property`` line that
+    follows ``element vertex``, in that order. N may be 0. Numbers may
+    have an exponent, as in ``1.5e-03``, and several spaces or tabs
+    between them. Points have x, y and z, and either red, green and
+    blue (0 to 255) or none of the three, in any order among other
+    properties. There may be ``comment`` lines in the header, with any
+    words, and other elements after the vertices.
 
     Parameters
     ----------

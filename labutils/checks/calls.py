@@ -130,11 +130,14 @@ def _is_empty(value: object) -> bool:
 
 
 def _read_part(part: Part, value: object) -> np.ndarray | Misfit:
-    """Read one part; a list of whole numbers has no dtype, so it takes the one that is due."""
+    """Read one part; a list of whole numbers, or of nothing, takes the dtype that is due."""
     array = _to_array(value, with_texts=part.dtype == "str")
     if array is None:
         text = f"expected numbers, yours is {describe(value)}"
         return Misfit(text, is_empty=_is_empty(value))
+    empty_shape = get_kind(part).empty_shape
+    if empty_shape is not None and array.shape in ((0,), empty_shape):
+        return np.zeros(empty_shape, dtype=part.dtype)
     if isinstance(value, tuple | list) and array.dtype.kind in "iu":
         if part.dtype == "float":
             return array.astype(np.float64)

@@ -5,6 +5,7 @@ Every statement says that they stay as they are: whoever calls a function goes o
 
 from __future__ import annotations
 
+import copy
 from functools import wraps
 from typing import TYPE_CHECKING, Any
 
@@ -18,9 +19,17 @@ if TYPE_CHECKING:
 
     from labutils.checks.table import Case, CheckTable, Outcome
 
-#: What a simulation goes on from. Positions, velocities and forces that follow from these are
-#: brought up to date by whoever draws a picture, and count as unchanged.
+#: What a simulation goes on from. Velocities and forces that follow from these are brought up to
+#: date by whoever draws a picture, and count as unchanged.
 _STATE = ("time", "qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "userdata")
+
+#: What others read without computing it anew: as it was before, or as MuJoCo computes it.
+_PLACES = (
+    *("xpos", "xmat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat"),
+    *("cam_xpos", "cam_xmat", "light_xpos", "light_xdir"),
+)
+#: Meters, and parts of a unit vector: rounding, whatever order MuJoCo computes in.
+_ROUNDING = 1e-9
 
 
 def collect_and_watch(
@@ -78,17 +87,25 @@ class Watch:
         self._before = {
             name: _copy(value) for name, value in self._named.items() if name not in given
         }
+        self._state = None
         if self._scene:
             self._before |= _read_scene(self._named)
+            # A copy holds all that was computed, too.
+            self._state = copy.copy(self._named.get("data"))
 
     def find_changed(self) -> tuple[str, ...]:
         """Name the arguments that are not as they were."""
         after = dict(self._named)
         if self._scene:
             after |= _read_scene(self._named)
-        return tuple(
+        changed = tuple(
             name for name, value in self._before.items() if not _is_same(value, after[name])
         )
+        # What MuJoCo computes of another model, or of another state, says nothing.
+        if self._state is None or {"model", "data"} & set(changed):
+            return changed
+        model, data = self._named["model"], self._named["data"]
+        return (*changed, "data") if _are_places_spoiled(model, self._state, data) else changed
 
 
 def _read_scene(named: dict[str, Any]) -> dict[str, Any]:
@@ -104,6 +121,29 @@ def _read_scene(named: dict[str, Any]) -> dict[str, Any]:
         elif isinstance(value, mujoco.MjData):
             found[name] = [np.array(getattr(value, one)) for one in _STATE]
     return found
+
+
+def _are_places_spoiled(model: Any, before: Any, after: Any) -> bool:
+    """Tell whether some places are neither as they were nor as MuJoCo computes them.
+
+    Of the same state, so what was stale may have been brought up to date in part.
+    """
+    import mujoco  # noqa: PLC0415 - every other exercise runs without it
+
+    moved = [name for name in _PLACES if not _is_near(before, after, name)]
+    if not moved:
+        return False
+    full, partly = copy.copy(after), copy.copy(before)
+    mujoco.mj_forward(model, full)
+    # Without mj_comPos between the two: cameras that follow a center of mass stay behind.
+    mujoco.mj_kinematics(model, partly)
+    mujoco.mj_camlight(model, partly)
+    return not all(any(_is_near(one, after, name) for one in (full, partly)) for name in moved)
+
+
+def _is_near(one: Any, other: Any, name: str) -> bool:
+    pair = getattr(one, name), getattr(other, name)
+    return bool(np.allclose(*pair, rtol=0, atol=_ROUNDING, equal_nan=True))
 
 
 def _copy(value: Any) -> Any:

@@ -36,12 +36,13 @@ def make_scene_arguments(scene: Scene) -> tuple[tuple[Any, ...], tuple[Callable[
     renderer = RaycastRenderer(model, scene.height, scene.width)
 
     def is_in_color_mode() -> bool:
-        try:
-            # Whoever drew with a renderer of their own may have given this one no scene.
-            renderer.update_scene(data)
-            return renderer.render().dtype == np.uint8
-        except RuntimeError:
-            return False  # closed
+        for _ in range(2):
+            try:
+                return renderer.render().dtype == np.uint8
+            except RuntimeError:
+                # Closed, or never given a scene: who draws with a renderer of their own needs none.
+                renderer.update_scene(data)
+        return False
 
     return (model, data, renderer), (is_in_color_mode,)
 

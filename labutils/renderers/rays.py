@@ -91,7 +91,7 @@ class RaycastRenderer:
         self._height = height
         self._width = width
         self._max_geom = max_geom
-        self._gives_depth = self._gives_segmentation = False
+        self._gives_depth = self._gives_segmentation = self._is_closed = False
         self._frame: _Frame | None = None
         self._scene: mujoco.MjvScene | None = None
         self._shown: tuple[mujoco.MjData, Camera, mujoco.MjvOption] | None = None
@@ -207,6 +207,8 @@ class RaycastRenderer:
         ValueError
             If `out` has another shape.
         """
+        if self._is_closed:
+            raise RuntimeError("render: expected an open renderer, got one after close")
         if self._frame is None:
             raise RuntimeError("render: expected a call of update_scene first, got none")
         picture = self._draw(*self._frame)
@@ -239,6 +241,7 @@ class RaycastRenderer:
 
     def close(self) -> None:
         """Forget the frame; nothing else has to be freed."""
+        self._is_closed = True
         self._frame = self._scene = self._shown = None
 
     def __enter__(self) -> Self:

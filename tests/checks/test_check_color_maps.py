@@ -39,6 +39,24 @@ def through_gray(share: np.ndarray) -> np.ndarray:
     )
 
 
+def interpolated(code: int) -> Map:
+    """Draw a map of OpenCV with the colors between its levels."""
+    table = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[:, None], code)[:, 0].astype(float)
+    stops = np.linspace(0, 1, 256)
+    return lambda share: (
+        np.stack([np.interp(share, stops, table[:, k]) for k in range(3)], axis=-1)
+        .round()
+        .astype(np.uint8)
+    )
+
+
+def pure_colors(share: np.ndarray) -> np.ndarray:
+    """Draw blue, cyan, yellow, red: colors that all lie on COLORMAP_JET, but elsewhere."""
+    stops = np.linspace(0, 1, 4)
+    planes = ([255, 255, 0, 0], [0, 255, 255, 0], [0, 0, 255, 255])
+    return np.stack([np.interp(share, stops, one) for one in planes], axis=-1).astype(np.uint8)
+
+
 def of_opencv(code: int) -> Map:
     return lambda share: cv2.applyColorMap((255 * share).astype(np.uint8), code)
 
@@ -49,6 +67,8 @@ RIGHT = {
     "dull": through_gray,
     "rainbow backward": lambda share: of_opencv(cv2.COLORMAP_RAINBOW)(1 - share),
     "turbo": of_opencv(cv2.COLORMAP_TURBO),
+    "turbo, interpolated": interpolated(cv2.COLORMAP_TURBO),
+    "pure colors": pure_colors,
     "jet": of_opencv(cv2.COLORMAP_JET),
 }
 WRONG = {

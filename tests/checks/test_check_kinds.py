@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from labutils.checks import judge_answers
+from labutils.checks.calls import split_answer
 from labutils.checks.compare import to_canonical
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
@@ -226,3 +227,36 @@ def test_picture_of_255_levels_differs_by_no_more(kind: str) -> None:
 def test_every_kind_is_tried_above() -> None:
     (mark,) = test_difference_is_told_in_the_words_of_the_kind.pytestmark
     assert {row[0] for row in mark.args[1]} == set(KINDS)
+
+
+@pytest.mark.parametrize(
+    "empty",
+    [[], (), np.array([]), np.zeros((0, 4)), np.zeros((0, 4), np.int32)],
+)
+def test_a_list_of_no_things_has_neither_dtype_nor_columns(empty: object) -> None:
+    parts = load_table("find_all_objects").parts
+    assert [part.kind for part in parts] == ["names", "list", "boxes"]
+    boxes = [np.zeros((0, 4), np.int64)]
+    for part, due in zip(parts, [np.zeros(0, "U1"), np.zeros(0, np.int64), *boxes], strict=True):
+        if np.array(empty).shape not in ((0,), due.shape):
+            continue
+        outcome = split_answer((part,), empty, ())
+        assert isinstance(outcome, tuple)
+        table = make_table(part, due)
+        assert judge_answers(table, (outcome,)).passed
+        assert isinstance(outcome[0], np.ndarray)
+        assert outcome[0].dtype.kind == due.dtype.kind
+
+
+@pytest.mark.parametrize("wrong", [[[]], np.zeros((0, 3)), [[1, 2, 3, 4]], None])
+def test_what_is_no_list_of_no_things_is_refused(wrong: object) -> None:
+    part = load_table("find_all_objects").parts[2]
+    outcome = split_answer((part,), wrong, ())
+    assert not judge_answers(make_table(part, np.zeros((0, 4), np.int64)), (outcome,)).passed
+
+
+def test_points_keep_their_columns_where_there_are_none() -> None:
+    part = Part("points", "cloud", "float", atol=1e-3)
+    for came, passes in ((np.zeros((0, 3)), True), ([], False)):
+        outcome = split_answer((part,), came, ())
+        assert judge_answers(make_table(part, np.zeros((0, 3))), (outcome,)).passed is passes

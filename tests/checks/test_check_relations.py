@@ -309,7 +309,7 @@ def test_a_relation_of_the_wrong_cases_says_that_the_others_agree() -> None:
     answers = ((dues[0],), (dues[1] * 1000,), (dues[2] * 1000,))
     found = Differences(make_table(part, dues), answers).find_relation()
     assert found is not None
-    assert found.text == "Only in case 2, 3, the other agrees: points: 1000 times what is due."
+    assert found.text == "Only in cases 2 and 3, the other agrees: points: 1000 times what is due."
 
 
 def test_the_only_wrong_case_and_the_only_right_one_are_named() -> None:

@@ -304,6 +304,30 @@ def test_one_point_twice_and_another_never_is_another_cloud() -> None:
     assert not judge_answers(table, answers).passed
 
 
+def test_equal_points_are_matched_one_by_one() -> None:
+    table = load_table("crop_region")
+    (number,) = (n for n, case in enumerate(table.cases) if "twice" in case.label)
+    due = table.expected[number]
+    assert isinstance(due, tuple)
+    (points,) = due
+    assert points is not None
+    rows, counts = np.unique(points, axis=0, return_counts=True)
+    assert set(counts) == {1, 2}
+
+    def passes(wanted: np.ndarray) -> bool:
+        yours = (np.repeat(rows, wanted, axis=0),)
+        return judge_answers(
+            table, (*table.expected[:number], yours, *table.expected[number + 1 :])
+        ).passed
+
+    assert passes(counts)
+    # As many points, but others are twice.
+    once, twice = np.flatnonzero(counts == 1)[0], np.flatnonzero(counts == 2)[0]
+    others = counts.copy()
+    others[[once, twice]] = (2, 1)
+    assert not passes(others)
+
+
 def test_picture_of_a_cloud_with_other_points_is_drawn() -> None:
     table = load_table("depth_to_pointcloud")
     points, _ = get_cloud(table.expected[0])

@@ -209,7 +209,8 @@ def test_the_ray_caster_accepts_a_camera_id_and_forgets_on_close(
     with RaycastRenderer(model, 24, 32) as renderer:
         renderer.update_scene(data, camera=model.camera("overview").id)
         assert renderer.render().shape == (24, 32, 3)
-    with pytest.raises(RuntimeError, match="update_scene"):
+    renderer.update_scene(data, "head_camera")
+    with pytest.raises(RuntimeError, match="expected an open renderer, got one after close"):
         renderer.render()
 
 

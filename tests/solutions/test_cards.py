@@ -14,11 +14,11 @@ import pytest
 import labutils
 from content.chapters import find_chapter, list_required
 from labutils.checks import judge
-from labutils.checks.calls import Function, collect_answers
+from labutils.checks.calls import Function, collect_answers, split_answer
 from labutils.checks.compare import is_same_outcome
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import get_kind
-from labutils.checks.table import CheckTable, Outcome, Part, Parts, Raised
+from labutils.checks.table import Case, CheckTable, Outcome, Part, Parts, Raised
 from labutils.checks.verdict import MAX_LINES
 from solutions import QUALITY_POINTS, load_exercises
 from solutions._model import Exercise
@@ -26,6 +26,7 @@ from solutions._model import Exercise
 ROOT = Path(__file__).resolve().parents[2]
 #: With one case, a constant would pass.
 MIN_VISIBLE = 2
+PICTURE_AXES = 3
 SEEDS = [
     pytest.param(range(3), id="3 seeds"),
     pytest.param(range(3, 20), id="17 more", marks=pytest.mark.slow),
@@ -41,12 +42,25 @@ def get_parts(due: Outcome) -> "Parts | None":
 
 
 def count_right(table: CheckTable, answers: tuple[Outcome, ...]) -> int:
-    """Count the cases that a function has to work for: None and no rows are free."""
+    """Count the cases that a function has to work for: None, no rows and a black map are free.
+
+    So is an argument handed back, where nothing is to be done.
+    """
     return sum(
         is_same_outcome(table.parts, due, answer)
-        for due, answer in zip(table.expected, answers, strict=True)
-        if (parts := get_parts(due)) is not None and parts[0] is not None and parts[0].size
+        for case, due, answer in zip(table.cases, table.expected, answers, strict=True)
+        if (parts := get_parts(due)) is not None
+        and parts[0] is not None
+        and parts[0].size
+        and (parts[0].ndim < PICTURE_AXES or parts[0].any())
+        and not is_handed_in(table, case, due)
     )
+
+
+def is_handed_in(table: CheckTable, case: Case, due: Outcome) -> bool:
+    """Tell whether one of the arguments is the right answer already."""
+    given = [split_answer(table.parts, value, ()) for value in case.args]
+    return any(is_same_outcome(table.parts, due, one) for one in given)
 
 
 def test_reference_passes_the_shipped_table(exercise: Exercise, table: CheckTable) -> None:
@@ -163,6 +177,15 @@ def test_constants_nan_and_echoes_score_0(
             answers = collect_answers(cases, function)
             assert find_failure(cases, answers)
             assert count_right(cases, answers) == 0
+
+
+def test_an_argument_is_the_right_answer_in_one_case_at_most(
+    table: CheckTable, hidden_table: Callable[[int], CheckTable]
+) -> None:
+    # or such cases, which the counting leaves out, could be all there are
+    for cases in (table, hidden_table(0)):
+        pairs = zip(cases.cases, cases.expected, strict=True)
+        assert sum(is_handed_in(cases, case, due) for case, due in pairs) <= 1
 
 
 def test_answer_of_another_case_scores_0(table: CheckTable) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import signal
 import zlib
+from collections import Counter
 
 import pytest
 
@@ -209,6 +210,22 @@ def test_all_mutants_end_as_the_table_says(name: str) -> None:
     assert set(score.visible) <= set(stored.visible)
     for mutant, seeds in score.hidden.items():
         assert seeds <= stored.hidden.get(mutant, 0), mutant
+
+
+@pytest.mark.slow
+@NEEDS_TIMER
+def test_nine_of_ten_mutants_that_fail_are_explained() -> None:
+    counts: Counter[bool] = Counter()
+    for name, exercise in load_exercises().items():
+        mutants = Judge(exercise, 1, 1)
+        for mutant in mutants.mutants:
+            if (verdict := mutants.find_verdict(mutants.make(mutant))) is None or verdict.passed:
+                continue
+            told = (verdict.misconception, verdict.relation, verdict.probe)
+            assert verdict.result == "failed", f"{name}: {mutant.change}: {verdict.message}"
+            counts[any(told) or verdict.failed_gate != "value"] += 1
+    assert counts.total() > 1000
+    assert counts[True] >= 0.9 * counts.total()
 
 
 def test_share_is_of_the_mutants_that_differ() -> None:

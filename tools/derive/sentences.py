@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from solutions import Exercise
 
 #: Where a sentence ends: a full stop, then a space and what begins another one.
-_END = re.compile(r"(?<=[.?!:])\*{0,2}\s+(?=[A-Z*`\[(])")
+_END = re.compile(r"(?:(?<=[.?!:])|(?<=[.?!:]\*)|(?<=[.?!:]\*\*))\s+(?=[A-Z*`\[(])")
 
 #: What stands after these is no new sentence.
-_NO_END = re.compile(r"(?:\be\.g|\bi\.e|section)\.$|:$")
+_NO_END = re.compile(r"(?:\be\.g|\bi\.e|section)\.$|:\*{0,2}$")
 
 #: Where a code block of a statement stands.
 CODE = "example"

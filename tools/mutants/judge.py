@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from labutils.checks import judge
 from labutils.checks.calls import call_once
 from labutils.checks.compare import is_same_outcome
 from labutils.checks.gates import find_failure
@@ -23,12 +24,16 @@ if TYPE_CHECKING:
     from types import FrameType
 
     from labutils.checks.table import CheckTable, Outcome
+    from labutils.checks.verdict import Verdict
     from solutions import Exercise
 
 #: Seconds of computing after which a mutant is taken for one that never answers: a hundred times
 #: what a right answer takes, and more.
 _LIMIT = {"level_cloud": 5.0, "render_camera": 1.0, "rank_cameras": 1.0}
 _USUAL_LIMIT = 0.1
+
+#: Likewise for a whole verdict, which calls a wrong function up to two seconds long.
+_VERDICT_LIMIT = 6.0
 
 #: Most mutants differ soon. Of the others it is asked first whether any draw reaches the fault.
 _FIRST_DRAWS = 200
@@ -139,6 +144,14 @@ class Judge:
             if find_failure(table, (answer,)):
                 return True
         return False
+
+    def find_verdict(self, function: Callable[..., Any]) -> Verdict | None:
+        """Return what a learner would read of a function; None where it computes without end."""
+        try:
+            with _time_limit(_VERDICT_LIMIT):
+                return judge(load_table(self.exercise.name), function)
+        except _TooLongError:
+            return None
 
     @property
     def _limit(self) -> float:

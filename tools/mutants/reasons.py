@@ -9,10 +9,6 @@ _FEW = (
 
 #: Begin of a mutant's name to the reason; the longest that fits counts.
 REASONS: dict[str, str] = {
-    "labutils/_back_projection.py:_scale_colors:body.2:line-lost": (
-        "differs only where no pixel at all sees a surface; a cloud without points may be an empty "
-        "list, whose shape is another one, so no case asks for it"
-    ),
     "labutils/_back_projection.py:_is_full:body.2.value.args.0.values.0:compare-Lt": _FEW,
     "labutils/_back_projection.py:_is_full:body.2.value.args.0.values.1:compare-Gt": _FEW,
     "labutils/_guards.py:check_pose:body.7.test.values.1.comparators.0:plus-1": (

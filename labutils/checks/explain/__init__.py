@@ -88,11 +88,12 @@ class Differences:
             return None
         some = [[pair for pair in pairs if pair.case in self._wrong] for pairs in self._parts]
         some = [pairs for pairs in some if pairs]
-        cases = ", ".join(str(case + 1) for case in self._wrong)
+        many = "s" if len(self._wrong) > 1 else ""
+        cases = f"case{many} {_join([str(case + 1) for case in self._wrong])}"
         others = "the others agree" if len(self._right) > 1 else "the other agrees"
         with np.errstate(all="ignore"):
             return _tell_parts(
-                self._table, some, map(_relate, some), f"Only in case {cases}, {others}: "
+                self._table, some, map(_relate, some), f"Only in {cases}, {others}: "
             )
 
     def find_partial(self) -> Explanation | None:

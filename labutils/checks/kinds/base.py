@@ -34,6 +34,9 @@ class Kind(ABC):
         Its shape in words, for the shape gate.
     counts_rows : bool
         Whether the number of its rows is part of the answer.
+    empty_shape : tuple of int or None
+        Of a list of things, the shape where there is none: an empty list has no dtype and no
+        columns. None where it is no list.
     moves_with_cloud : bool
         Whether its rows are brought into another order together with those of a cloud.
     relations : tuple of str
@@ -44,6 +47,7 @@ class Kind(ABC):
     ndim: int
     shape: str
     counts_rows: bool = False
+    empty_shape: tuple[int, ...] | None = None
     moves_with_cloud: bool = False
     relations: tuple[str, ...] = ("numbers",)
 

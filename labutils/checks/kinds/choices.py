@@ -82,6 +82,7 @@ KINDS = (
         ndim=1,
         shape="(N,), one text per object",
         counts_rows=True,
+        empty_shape=(0,),
         relations=("lists", "selections"),
     ),
 )

@@ -18,7 +18,7 @@ BLACK_LEVEL = -64
 
 
 @cache
-def _get_color_maps() -> tuple[np.ndarray, ...]:
+def get_color_maps() -> tuple[np.ndarray, ...]:
     """Return the maps from blue to red a picture may use, each (256, 3), BGR."""
     ramp = np.arange(256, dtype=np.uint8).reshape(-1, 1)
     known = [cv2.applyColorMap(ramp, code) for code in (cv2.COLORMAP_TURBO, cv2.COLORMAP_JET)]
@@ -48,7 +48,7 @@ def _find_levels(image_bytes: bytes, shape: tuple[int, int]) -> np.ndarray | Non
         return None
     colors = np.stack([keys >> 16, keys >> 8 & 255, keys & 255], axis=1)
     black = keys == 0
-    for table in _get_color_maps():
+    for table in get_color_maps():
         gaps = np.abs(colors[:, None] - table[None]).max(axis=2)
         if (gaps.min(axis=1)[~black] <= _MAP_LEVELS).all():
             levels = np.where(black, BLACK_LEVEL, gaps.argmin(axis=1)).astype(np.int16)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from labutils.checks.kinds.color_levels import BLACK_LEVEL, to_levels
+from labutils.checks.kinds.color_levels import BLACK_LEVEL, get_color_maps, to_levels
 
 #: How far a color may lie from the mean of its level: rounding and one level, since a level may be
 #: rounded in one pixel and cut off in another. How steep a map is, so many levels tell.
@@ -24,6 +24,9 @@ _LEAST_STEEP, _STEEPEST = 2.0, 3.0
 #: Levels at either end of the range, and how much blue or red has to stand out there.
 _END_LEVELS = 8
 _STANDS_OUT = 40.0
+
+#: How far the colors of a listed map move where it is interpolated between its levels.
+_NEAR_LISTED = 8.0
 
 #: With fewer levels than this, nothing of a map can be seen.
 _MIN_LEVELS = 32
@@ -60,11 +63,17 @@ def read_with_learned_map(
         return None
     # The middle one of a level's colors: a few that are wrong do not move it.
     table = np.stack([np.median(colors[seen & (levels == level)], axis=0) for level in present])
-    if not (_leads_from_blue_to_red(present, table) and _tells_levels_apart(present, table)):
+    leads = _leads_from_blue_to_red(present, table) or _is_near_listed_map(present, table)
+    if not (leads and _tells_levels_apart(present, table)):
         return None
     if not _belong_to(present, table, levels[seen], colors[seen]):
         return None
     return [_draw_again(due, picture) for due, picture in zip(dues, pictures, strict=True)]
+
+
+def _is_near_listed_map(present: np.ndarray, table: np.ndarray) -> bool:
+    """Tell whether it is a listed map, interpolated: COLORMAP_TURBO begins nearly black."""
+    return any(np.abs(table - one[present]).max() <= _NEAR_LISTED for one in get_color_maps())
 
 
 def _leads_from_blue_to_red(present: np.ndarray, table: np.ndarray) -> bool:

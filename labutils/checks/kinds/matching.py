@@ -60,7 +60,10 @@ def match_points(expected: np.ndarray, yours: np.ndarray, atol: float) -> np.nda
 
 
 def _match_each(expected: np.ndarray, yours: np.ndarray, atol: float) -> np.ndarray | None:
-    """Return for every expected point its nearest one of yours; None where one has none."""
+    """Return for every expected point the nearest one of yours; None where one has none.
+
+    Of equal points each takes one that is still free.
+    """
     nearest = np.zeros(0, dtype=np.int64)
     for some in (expected[:16], expected):  # a few points refute most wrong clouds
         if not len(some):
@@ -69,4 +72,11 @@ def _match_each(expected: np.ndarray, yours: np.ndarray, atol: float) -> np.ndar
         nearest = gaps.argmin(axis=1)
         if gaps[np.arange(len(some)), nearest].max() > atol:
             return None
-    return nearest if len(np.unique(nearest)) == len(nearest) else None
+    if len(np.unique(nearest)) == len(nearest):
+        return nearest
+    for row, distances in enumerate(gaps):
+        nearest[row] = distances.argmin()
+        if distances[nearest[row]] > atol:
+            return None
+        gaps[:, nearest[row]] = np.inf
+    return nearest

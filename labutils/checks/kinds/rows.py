@@ -127,6 +127,7 @@ KINDS = (
         ndim=2,
         shape="(N, 4), one row per object",
         counts_rows=True,
+        empty_shape=(0, 4),
         columns=("left", "top", "width", "height"),
         relations=("numbers", "entries", "lists", "selections"),
     ),
@@ -135,6 +136,7 @@ KINDS = (
         ndim=1,
         shape="(N,), one value per object",
         counts_rows=True,
+        empty_shape=(0,),
         relations=("numbers", "lists", "selections"),
     ),
 )

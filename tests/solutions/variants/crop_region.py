@@ -18,13 +18,13 @@ def region_backwards(
 
 def region_by_loop(
     points_world: np.ndarray, T_world_robot: np.ndarray, low: np.ndarray, high: np.ndarray
-) -> list[tuple[float, ...]]:
+) -> np.ndarray:
     kept = []
     for point in points_world:
         moved = T_world_robot[:3, :3].T @ (point - T_world_robot[:3, 3])
         if all(a <= b <= c for a, b, c in zip(low, moved, high, strict=True)):
             kept.append(tuple(moved))
-    return kept
+    return np.reshape(kept, (-1, 3))
 
 
 VARIANTS = [region_by_homogeneous, region_backwards, region_by_loop]

@@ -27,7 +27,7 @@ def objects_by_labels(
     rgb_image: np.ndarray, color_ranges: tuple[Range, ...], min_area: int
 ) -> tuple[tuple[Any, ...], ...]:
     found = sorted(_split(rgb_image, color_ranges, min_area), key=lambda one: -one[1])
-    return tuple(zip(*found, strict=True))
+    return tuple(zip(*found, strict=True)) or ((), (), ())
 
 
 def objects_as_arrays(

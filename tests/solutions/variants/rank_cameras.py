@@ -9,6 +9,7 @@ def rank_by_loop(
     model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
 ) -> tuple[list[int], list[float]]:
     mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
     mujoco.mj_camlight(model, data)
     pairs = [
         (sum((a - b) ** 2 for a, b in zip(place, point_world, strict=True)) ** 0.5, number)
@@ -17,15 +18,15 @@ def rank_by_loop(
     return [number for _, number in sorted(pairs)], [distance for distance, _ in sorted(pairs)]
 
 
-def rank_by_name(
+def rank_by_view(
     model: mujoco.MjModel, data: mujoco.MjData, point_world: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     mujoco.mj_forward(model, data)
-    names = [model.camera(n).name for n in range(model.ncam)]
-    gaps = {n: cv2.norm(data.camera(n).xpos - point_world) for n in names}
-    names.sort(key=lambda name: gaps[name])
-    ids = np.array([model.camera(n).id for n in names], np.int32)
-    return ids, np.array([gaps[n] for n in names], np.float32)
+    views = [data.camera(n) for n in range(model.ncam)]
+    gaps = [cv2.norm(view.xpos - point_world) for view in views]
+    views.sort(key=lambda view: gaps[view.id])
+    ids = np.array([view.id for view in views], np.int32)
+    return ids, np.array([gaps[n] for n in ids], np.float32)
 
 
 def rank_as_tuples(
@@ -35,4 +36,4 @@ def rank_as_tuples(
     return tuple(ids), tuple(distances)
 
 
-VARIANTS = [rank_by_loop, rank_by_name, rank_as_tuples]
+VARIANTS = [rank_by_loop, rank_by_view, rank_as_tuples]

@@ -13,6 +13,7 @@ def render_with_kinematics(
     model: mujoco.MjModel, data: mujoco.MjData, renderer: Renderer, camera_name: str
 ) -> tuple[np.ndarray, np.ndarray]:
     mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
     mujoco.mj_camlight(model, data)
     renderer.update_scene(data, camera=camera_name)
     renderer.enable_depth_rendering()
@@ -107,6 +108,20 @@ def render_with_the_class_of_the_renderer(
     return rgb, depth
 
 
+def render_without_the_renderer(
+    model: mujoco.MjModel, data: mujoco.MjData, renderer: Renderer, camera_name: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """Both pictures from a renderer and a state of its own: only the size is asked for."""
+    twin = mujoco.MjData(model)
+    mujoco.mj_copyData(twin, model, data)
+    mujoco.mj_forward(model, twin)
+    with mujoco.Renderer(model, renderer.height, renderer.width) as mine:
+        mine.update_scene(twin, camera_name)
+        rgb = mine.render()
+        mine.enable_depth_rendering()
+        return rgb, mine.render()
+
+
 VARIANTS = [
     render_with_kinematics,
     render_by_id_in_double,
@@ -115,4 +130,5 @@ VARIANTS = [
     render_with_a_renderer_imported_by_name,
     render_into_arrays_with_options,
     render_with_the_class_of_the_renderer,
+    render_without_the_renderer,
 ]

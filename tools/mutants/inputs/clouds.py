@@ -68,11 +68,10 @@ def _nearest_object(rng: np.random.Generator) -> tuple[Any, ...]:
             depth[seen] = rng.uniform(0.5, 3) + rng.uniform(
                 -0.05, 0.05, size=np.count_nonzero(seen)
             )
-        valid = (depth > 0.01) & (depth < 10)
-        if labels.max() != count or not all(
-            (valid & (labels == label)).any() for label in range(1, count + 1)
-        ):
-            continue  # every number from 1 on is an object, with a depth somewhere
+        if rng.random() < 0.1:  # an object without a valid depth
+            depth[labels == 1] = rng.choice([0.0, 12.0])
+        if not set(range(1, count + 1)) <= set(labels.ravel().tolist()):
+            continue  # every number from 1 on is an object
         max_width = float(rng.choice([0.0, 0.02, 0.2, 0.5, 1.0, 3.0, 50.0]))
         if _is_certain(labels, depth, K, max_width):
             return labels, depth, K, _make_pose(rng), max_width
@@ -83,6 +82,8 @@ def _is_certain(labels: np.ndarray, depth: np.ndarray, K: np.ndarray, max_width:
     distances = []
     for label in range(1, labels.max() + 1):
         v, u = np.nonzero((depth > 0.01) & (depth < 10) & (labels == label))
+        if not v.size:
+            continue
         z = depth[v, u].astype(np.float64)
         x, y = (u - K[0, 2]) / K[0, 0] * z, (v - K[1, 2]) / K[1, 1] * z
         if 0 < abs(np.ptp(x) - max_width) < 1e-4:
@@ -145,8 +146,8 @@ def _draw_top_view(rng: np.random.Generator) -> tuple[Any, ...]:
     scale = int(rng.integers(1, 40))
     height, width = map(int, rng.integers(1, 7, size=2))
     high = rng.uniform(-2, 3, size=2)
-    # The size is rounded up: so no point lies in the picture, but beyond the limits.
-    low = high - (np.array([height, width]) - rng.uniform(0, 0.4, size=2)) / scale
+    # Where the size is rounded up, no point lies in the picture, but beyond the limits.
+    low = high - (np.array([height, width]) - rng.uniform(-0.4, 0.4, size=2)) / scale
     count = int(rng.integers(0, 25))
     row, column = rng.integers(-2, height + 2, count), rng.integers(-2, width + 2, count)
     shift = rng.uniform(0.05, 0.55, size=(count, 2))

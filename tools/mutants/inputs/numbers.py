@@ -80,10 +80,12 @@ def _parse_ply(rng: np.random.Generator) -> tuple[Any, ...]:
     names += list(rng.choice(["nx", "quality", "alpha"], size=rng.integers(0, 3), replace=False))
     if rng.random() < 0.7:
         names = [str(name) for name in rng.permutation(names)]
-    count, faces = int(rng.integers(1, 6)), int(rng.integers(0, 4))
+    count, faces = int(rng.integers(0, 6)), int(rng.integers(0, 4))
+    faces *= count > 0  # without points there is nothing between them
     header = ["ply", "format ascii 1.0"]
     if rng.random() < 0.5:
-        header.append(str(rng.choice(["comment made by hand", "comment element vertex 3"])))
+        words = ["made by hand", "element vertex 3", "end_header", "property float red"]
+        header.append(f"comment {rng.choice(words)}")
     header.append(f"element vertex {count}")
     for name in names:
         header.append(f"property {'uchar' if name in ('red', 'green', 'blue') else 'float'} {name}")
@@ -92,11 +94,12 @@ def _parse_ply(rng: np.random.Generator) -> tuple[Any, ...]:
     if faces:
         header += [f"element face {faces}", "property list uchar int vertex_indices"]
         header += ["property int flags"] if rng.random() < 0.3 else []
+    gap, form = str(rng.choice([" ", "  ", "\t"])), str(rng.choice([".4f", ".4e"]))
     rows = [
-        " ".join(
+        gap.join(
             str(rng.integers(0, 256))
             if name in ("red", "green", "blue")
-            else f"{rng.uniform(-3, 3):.4f}"
+            else format(rng.uniform(-3, 3), form)
             for name in names
         )
         for _ in range(count)

@@ -14,7 +14,7 @@ from solutions._cases import make_scene_text
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-_NAMES = ("head_camera", "side_camera", "sensor_camera")
+_NAMES = ("head_camera", "side_camera", "sensor_camera", "chase_camera")
 
 
 def _make_text(rng: np.random.Generator) -> str:
@@ -46,8 +46,10 @@ def _get_camera_intrinsics(rng: np.random.Generator) -> tuple[Any, ...]:
 def _rank_cameras(rng: np.random.Generator) -> tuple[Any, ...]:
     while True:
         text = _make_text(rng)
-        for name in rng.choice(_NAMES, size=rng.integers(0, 3), replace=False):
+        for name in rng.choice(_NAMES, size=rng.integers(0, 4), replace=False):
             text = re.sub(rf'<camera name="{name}"[^>]*/>', "", text)
+        if rng.random() < 0.3:  # a name is no duty
+            text = text.replace(f'name="{rng.choice(_NAMES)}"', "")
         qpos = tuple(float(one) for one in rng.uniform(-1.5, 1.5, size=2))
         point = rng.uniform([-1, -3, -0.5], [4.0, 2.0, 2.0])
         model = mujoco.MjModel.from_xml_string(text)

@@ -1,0 +1,141 @@
+"""Answers of strangers, who knew no card: no right one is refused, and most wrong ones explained.
+
+They lie in ``answers/``, as they were written: by people who had the pages and the starters only.
+Four folders hold right answers, in lists named ``ANSWERS``. One holds wrong ones, in lists named
+``WRONG``, each with what is wrong and on which input. Some of these are right by the statement as
+it is today: ``answers/allowed.yml`` says why.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from collections import Counter
+from dataclasses import replace
+from functools import cache
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import yaml
+
+from labutils.checks import judge
+from labutils.checks.calls import Function
+from labutils.checks.gates import find_failure
+from labutils.checks.inputs import collect_and_watch
+from labutils.checks.table import CheckTable, load_table
+from labutils.checks.verdict import MAX_LINES, Verdict
+from solutions import load_exercises
+
+FOLDER = Path(__file__).with_name("answers")
+SETS = sorted(path.name for path in FOLDER.iterdir() if path.is_dir() and path.name != "wrong")
+NAMES = tuple(load_exercises())
+HIDDEN_SEEDS = 3
+
+#: Of wrong answers: how many may get through, and how many of the others are explained.
+MAX_THROUGH = 0.02
+MIN_EXPLAINED = 0.9
+
+
+def load(folder: str, name: str) -> Any:
+    return import_module(f"tests.solutions.answers.{folder}.{name}")
+
+
+def judge_quietly(name: str, function: Function) -> Verdict:
+    """Judge an answer; what it prints is its own affair."""
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        return judge(load_table(name), function)
+
+
+@cache
+def make_hidden_tables(name: str) -> tuple[CheckTable, ...]:
+    exercise = load_exercises()[name]
+    tables = []
+    for seed in range(HIDDEN_SEEDS):
+        cases = exercise.hidden(np.random.default_rng(seed))
+        expected = exercise.collect(exercise.reference, cases)
+        tables.append(
+            replace(load_table(name), cases=cases, expected=expected, wrong={}, simpler=())
+        )
+    return tuple(tables)
+
+
+def passes_hidden_cases(name: str, function: Function) -> bool:
+    for table in make_hidden_tables(name):
+        with contextlib.redirect_stdout(io.StringIO()):
+            answers, changed = collect_and_watch(table, function)
+        if changed or find_failure(table, answers):
+            return False
+    return True
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("folder", SETS)
+def test_no_right_answer_of_a_stranger_is_refused(folder: str, name: str) -> None:
+    refused = {
+        function.__name__: verdict.message
+        for function in load(folder, name).ANSWERS
+        if not (verdict := judge_quietly(name, function)).passed
+    }
+    assert refused == {}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("folder", SETS)
+def test_no_right_answer_of_a_stranger_fails_hidden_cases(folder: str, name: str) -> None:
+    functions = load(folder, name).ANSWERS
+    refused = [one.__name__ for one in functions if not passes_hidden_cases(name, one)]
+    assert refused == []
+
+
+def read_allowed() -> dict[str, dict[str, str]]:
+    """Read which answers of the wrong folder the statement allows, each with the reason."""
+    allowed: dict[str, dict[str, str]] = yaml.safe_load(
+        (FOLDER / "allowed.yml").read_text(encoding="utf-8")
+    )
+    return allowed
+
+
+def list_wrong(name: str) -> list[Function]:
+    allowed = read_allowed().get(name, {})
+    return [one for one, _ in load("wrong", name).WRONG if one.__name__ not in allowed]
+
+
+def test_what_is_allowed_names_an_answer_and_a_reason() -> None:
+    for name, reasons in read_allowed().items():
+        known = {one.__name__ for one, _ in load("wrong", name).WRONG}
+        assert set(reasons) <= known
+        assert all(len(reason) > 15 for reason in reasons.values())
+
+
+def describe(verdict: Verdict) -> str:
+    """Say what explains a failure: a mistake, a relation, a probe or an early gate."""
+    if verdict.passed:
+        return "passed"
+    if verdict.misconception or verdict.relation or verdict.probe:
+        return "explained"
+    if verdict.failed_gate != "value" or "has to raise" in verdict.message:
+        return "gate"
+    return "not explained"
+
+
+@pytest.mark.slow
+def test_wrong_answers_of_strangers_are_refused_and_explained() -> None:
+    counts: Counter[str] = Counter()
+    through, unexplained = [], []
+    for name in NAMES:
+        for function in list_wrong(name):
+            verdict = judge_quietly(name, function)
+            kind = describe(verdict)
+            counts[kind] += 1
+            if kind == "not explained":
+                unexplained.append(f"{name}: {function.__name__}")
+            if verdict.passed and passes_hidden_cases(name, function):
+                through.append(f"{name}: {function.__name__}")
+            assert len(verdict.message.splitlines()) <= MAX_LINES
+    assert len(through) <= MAX_THROUGH * counts.total(), through
+    failed = counts.total() - counts["passed"]
+    assert len(unexplained) <= (1 - MIN_EXPLAINED) * failed, unexplained
