@@ -35,9 +35,10 @@ lab: setup ## open the chapters as notebooks in JupyterLab
 outputs: setup ## write the five files of the lab into outputs/
 	@$(RUN) -m labutils --out outputs
 
-exercises: setup ## derive starters, check tables, pages, rubric, hints and the map
+exercises: setup ## derive starters, check tables, pages, rubric, hints, the map, numbers for JS
 	@$(RUN) -m tools.derive.exercises
 	@$(RUN) -m tools.derive.objectives
+	@$(RUN) -m tools.derive.shared
 
 mutants: export OPENBLAS_NUM_THREADS := 1
 mutants: setup ## score the cases: which share of 1600 wrong functions they refuse
@@ -73,10 +74,12 @@ lint: setup ## check style and types
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
+	@$(RUN) -m tools.build.javascript check
 
 format: setup ## rewrite the source in the house style
 	@$(RUN) -m ruff check --fix .
 	@$(RUN) -m ruff format .
+	@$(RUN) -m tools.build.javascript format
 
 check: lint test ## what CI runs
 

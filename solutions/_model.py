@@ -21,7 +21,7 @@ from labutils.checks.compare import is_same_outcome, to_canonical
 from labutils.checks.explain.arguments import with_argument
 from labutils.checks.explain.probes import MIN_CASES, list_changes
 from labutils.checks.kinds import get_kind
-from labutils.checks.progress import MAX_HINTS
+from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._contract import Duty, asked, given, told
 from solutions._simpler import Simplification, simplify

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 from pathlib import Path
 
@@ -23,8 +24,12 @@ ARROWS = {
 }
 #: What the code cells of the pages may import.
 PAGES = {"labutils"}
+#: The same for scripts, which stand in one folder more.
+SCRIPT_ARROWS = {**ARROWS, "book/_static": set()}
 ROOMS = {folder for folder in ARROWS if "/" not in folder}
 SKIPPED = re.compile(r"[._].*|outputs|node_modules|.*\.egg-info")
+#: Files that a script imports by their place; packages of npm have another form.
+PLACE = re.compile(r"""\b(?:from|import|require)\s*\(?\s*["'](\.[^"']*)["']""")
 CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 
@@ -78,15 +83,10 @@ def find_broken_arrows(root: Path = ROOT) -> list[str]:
     """Say which file imports what its room may not, and which file stands in no room."""
     problems = []
     for path in list_files(root, "*.py"):
-        name = path.relative_to(root).as_posix()
-        folders = [folder for folder in ARROWS if name.startswith(f"{folder}/")]
-        if not folders:
-            problems.append(f"{name} stands in no room of the table")
-            continue
-        folder = folders[0]
-        allowed = ARROWS[folder] | {folder}
         tree = ast.parse(path.read_text(encoding="utf-8"))
-        problems += _name_strangers(name, find_imports(tree), allowed)
+        problems += _look_into(path.relative_to(root), find_imports(tree), ARROWS)
+    for path in list_scripts(root):
+        problems += _look_into(path.relative_to(root), find_places(path, root), SCRIPT_ARROWS)
     for path in list_files(root, "*.md"):
         text = path.read_text(encoding="utf-8")
         name = path.relative_to(root).as_posix()
@@ -95,6 +95,26 @@ def find_broken_arrows(root: Path = ROOT) -> list[str]:
             code = "\n".join("" if re.match(r"[:%!]", x) else x for x in code.splitlines())
             problems += _name_strangers(name, find_imports(ast.parse(code)), PAGES)
     return problems
+
+
+def list_scripts(root: Path) -> list[Path]:
+    """List the JavaScript of the repository."""
+    return [*list_files(root, "*.js"), *list_files(root, "*.mjs")]
+
+
+def find_places(path: Path, root: Path) -> set[str]:
+    """Name the rooms that a script imports from."""
+    text = path.read_text(encoding="utf-8")
+    files = (os.path.normpath(path.parent / place) for place in PLACE.findall(text))
+    return {Path(file).relative_to(root).parts[0] for file in files}
+
+
+def _look_into(path: Path, imports: set[str], arrows: dict[str, set[str]]) -> list[str]:
+    name = path.as_posix()
+    for folder, allowed in arrows.items():
+        if name.startswith(f"{folder}/"):
+            return _name_strangers(name, imports, allowed | {folder, folder.partition("/")[0]})
+    return [f"{name} stands in no room of the table"]
 
 
 def _name_strangers(name: str, imports: set[str], allowed: set[str]) -> list[str]:
@@ -117,6 +137,10 @@ def test_all_rooms_were_read() -> None:
     assert len(names) > 150
     pages = [path for path in list_files(ROOT, "*.md") if CELL.search(path.read_text("utf-8"))]
     assert len(pages) >= 17
+    scripts = [path.relative_to(ROOT).as_posix() for path in list_scripts(ROOT)]
+    for folder in ("labutils", "book/_page_python", "book/_static", "tools", "tests"):
+        assert any(name.startswith(f"{folder}/") for name in scripts), folder
+    assert sum(bool(find_places(ROOT / name, ROOT)) for name in scripts) > 40
 
 
 def test_nobody_changes_where_python_looks_for_modules() -> None:
@@ -144,6 +168,11 @@ def test_nobody_changes_where_python_looks_for_modules() -> None:
         ),
         ("book/a.md", "```{code-cell} ipython3\n:tags: [x]\nimport content\n```\n", "labutils"),
         ("setup.py", "import sys", "stands in no room of the table"),
+        ("labutils/a/b.js", 'import { a } from "../../tools/a.js";', "it may import labutils"),
+        ("tools/a.mjs", 'const a = await import("../tests/a.mjs");', "content and labutils"),
+        ("book/_static/a.js", 'import "../../labutils/a.js";', "nothing of ours"),
+        ("book/_ext/a.js", 'const a = require("../../tests/a.js");', "content and labutils"),
+        ("page.mjs", "", "stands in no room of the table"),
     ],
 )
 def test_an_arrow_that_points_back_is_named(
@@ -160,6 +189,8 @@ def test_an_arrow_that_points_forward_is_let_through(tmp_path: Path) -> None:
     (tmp_path / "tools").mkdir()
     code = "import labutils.checks\nfrom content import toc\nfrom . import a\nimport numpy"
     (tmp_path / "tools" / "a.py").write_text(code, encoding="utf-8")
+    script = 'import a from "../labutils/a.js";\nimport b from "tests";\nimport "./c.js";'
+    (tmp_path / "tools" / "a.js").write_text(script, encoding="utf-8")
     assert find_broken_arrows(tmp_path) == []
 
 

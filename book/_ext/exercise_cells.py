@@ -26,7 +26,14 @@ PACKED = Path("_build", "page_python")  # below the source folder, like the mani
 MANIFEST = Path("_build", "page_python.json")
 FOLDER = "_static/python"
 # in this order; the editor brings its own name, the others share `cameraLab`
-SCRIPTS = ("editor.js", "progress.js", "python.js", "exercises.js", "exercise_bar.js")
+SCRIPTS = (
+    "editor.js",
+    "progress_rules.js",
+    "progress.js",
+    "python.js",
+    "exercises.js",
+    "exercise_bar.js",
+)
 CHECK = re.compile(r'check\("(\w+)", (\w+)\)')
 
 NEEDS_MUJOCO = (

@@ -1,8 +1,12 @@
 // The bar above the exercises of a page: how many are solved, and the progress as a file, the same
 // that a notebook writes and reads.
-(function () {
+(() => {
   const { progress, python } = window.cameraLab;
 
+  /**
+   * @param {string} text
+   * @param {() => void} onClick
+   */
   function makeButton(text, onClick) {
     const button = document.createElement("button");
     button.type = "button";
@@ -11,7 +15,10 @@
     return button;
   }
 
-  /** Say how many are solved; returns {solved, total}. */
+  /**
+   * Say how many are solved; returns {solved, total}.
+   * @param {string[]} names
+   */
   function count(names) {
     const records = progress.load();
     const solved = names.filter((name) => records.get(name)?.passed).length;
@@ -28,18 +35,19 @@
     return `Saved as ${progress.FILE_NAME}: put it beside your notebook, or import it elsewhere.`;
   }
 
-  async function importFile(file) {
+  async function importFile(/** @type {File} */ file) {
     try {
       const records = progress.parse(await file.text());
       progress.merge(records);
       const kept = progress.isKept() ? "" : " This browser keeps it only until you leave.";
       return `Imported: ${records.size} exercises. What was solved before stays solved.${kept}`;
-    } catch (error) {
+    } catch (thrown) {
+      const error = /** @type {Error} */ (thrown);
       return `${file.name} is no progress file: ${error.message}. Nothing was changed.`;
     }
   }
 
-  function build(bar) {
+  function build(/** @type {HTMLElement} */ bar) {
     const names = Object.keys(python.data.exercises);
     const meter = document.createElement("progress");
     const text = document.createElement("span");
@@ -59,13 +67,15 @@
     input.accept = ".json,application/json";
     input.hidden = true;
     input.addEventListener("change", async () => {
-      if (input.files.length) status.textContent = await importFile(input.files[0]);
+      if (input.files?.length) status.textContent = await importFile(input.files[0]);
       input.value = ""; // the same file may be chosen again
     });
     const buttons = document.createElement("span");
     buttons.className = "exercise-buttons";
     buttons.append(
-      makeButton("Export", () => (status.textContent = exportFile())),
+      makeButton("Export", () => {
+        status.textContent = exportFile();
+      }),
       makeButton("Import", () => input.click()),
       input,
     );
@@ -77,6 +87,7 @@
   }
 
   document.addEventListener("DOMContentLoaded", () => {
+    /** @type {HTMLElement | null} */
     const bar = document.querySelector(".exercise-bar");
     if (bar) build(bar);
   });

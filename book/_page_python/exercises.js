@@ -1,6 +1,6 @@
 // Turns the exercise cells of a page into editors with buttons. Without this script the page is
 // plain: the starter, the check, and how to ask for a hint in a notebook.
-(function () {
+(() => {
   const { progress, python } = window.cameraLab;
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
@@ -14,7 +14,14 @@
     stopped: "Stopped.",
   };
 
-  /** Make an element: a class, a text, attributes. */
+  /**
+   * Make an element: a class, a text, attributes.
+   * @template {keyof HTMLElementTagNameMap} Tag
+   * @param {Tag} tag
+   * @param {string} className
+   * @param {string} text
+   * @param {Record<string, string>} attributes
+   */
   function make(tag, className, text = "", attributes = {}) {
     const element = document.createElement(tag);
     element.className = className;
@@ -23,55 +30,71 @@
     return element;
   }
 
+  /**
+   * @param {string} text
+   * @param {string} className
+   * @param {() => void} onClick
+   */
   function makeButton(text, className, onClick) {
     const button = make("button", className, text, { type: "button" });
     button.addEventListener("click", onClick);
     return button;
   }
 
-  /** The parts of one exercise: the mount that the build has put before its cell, and the cells. */
+  /**
+   * The parts of one exercise: the mount that the build has put before its cell, and the cells.
+   * @param {HTMLElement} mount
+   */
   function find(mount) {
-    const [source, check, hint] = ["source", "check", "hint"].map((part) =>
-      document.querySelector(`.exercise-${part}-${mount.dataset.exercise}`),
+    const name = String(mount.dataset.exercise);
+    const [source, check, hint] = ["source", "check", "hint"].map(
+      (part) => /** @type {HTMLElement} */ (document.querySelector(`.exercise-${part}-${name}`)),
     );
-    return { mount, source, check, hint, name: mount.dataset.exercise };
+    return { mount, source, check, hint, name };
   }
 
   class Exercise {
+    /** @param {ReturnType<typeof find>} parts */
     constructor({ mount, source, check, hint, name }) {
       this.name = name;
       this.mount = mount;
-      this.code = source.querySelector("pre");
-      this.starter = this.code.textContent.replace(/\n$/, "");
+      this.code = /** @type {HTMLElement} */ (source.querySelector("pre"));
+      this.starter = String(this.code.textContent).replace(/\n$/, "");
       this.hints = python.data.exercises[name].hints;
+      /** @type {string | null} */
       this.undo = null; // the text before a reset
       this.isBusy = false;
-      this.build();
+      this.isRestoring = false;
+      /** @type {string | undefined} */
+      this.checkedCode = undefined;
+      this.checkButton = makeButton("Check", "exercise-check", () => this.check());
+      this.stopButton = makeButton("Stop", "exercise-stop", () => python.stop(name));
+      this.stopButton.hidden = true;
+      this.hintButton = makeButton("Hint", "", () => this.hint());
+      this.resetButton = makeButton("Reset", "", () => this.reset());
+      this.status = make("p", "exercise-status", "", { role: "status" });
+      this.hintList = make("ol", "exercise-hints", "", { "aria-live": "polite" });
+      this.output = make("div", "exercise-output", "", { "aria-live": "polite" });
+      this.editor = this.build();
       for (const cell of [source, check, hint]) cell.classList.add("exercise-replaced");
       mount.hidden = false;
       this.restore();
     }
 
+    /** Put the parts on the page; returns the editor among them. */
     build() {
       const help = `exercise-help-${this.name}`;
       const frame = make("div", "exercise-editor");
-      this.checkButton = makeButton("Check", "exercise-check", () => this.check());
-      this.stopButton = makeButton("Stop", "exercise-stop", () => python.stop(this.name));
-      this.stopButton.hidden = true;
-      this.hintButton = makeButton("Hint", "", () => this.hint());
-      this.resetButton = makeButton("Reset", "", () => this.reset());
       const buttons = make("div", "exercise-buttons", "", {
         role: "group",
         "aria-label": `Buttons of ${this.name}`,
       });
       buttons.append(this.checkButton, this.stopButton, this.hintButton, this.resetButton);
-      this.status = make("p", "exercise-status", "", { role: "status" });
-      this.hintList = make("ol", "exercise-hints", "", { "aria-live": "polite" });
-      this.output = make("div", "exercise-output", "", { "aria-live": "polite" });
       const keys = `Tab indents; Escape, then Tab, leaves the editor. ${KEYS} checks.`;
       this.mount.append(frame, make("p", "exercise-help", keys, { id: help }));
       this.mount.append(buttons, this.status, this.hintList, this.output);
-      this.editor = window.cameraLabEditor.createEditor({
+      const { createEditor } = /** @type {Required<Window>} */ (window).cameraLabEditor;
+      return createEditor({
         parent: frame,
         text: this.starter,
         label: `Code of ${this.name}`,
@@ -102,11 +125,14 @@
       return `The first check loads NumPy and OpenCV from ${[...hosts]}: it needs a network.`;
     }
 
-    say(text) {
+    say(/** @type {string} */ text) {
       if (this.status.textContent !== text) this.status.textContent = text;
     }
 
-    /** Keep what the reader has typed. */
+    /**
+     * Keep what the reader has typed.
+     * @param {string} text
+     */
     keep(text) {
       progress.writeCode(this.name, text === this.starter ? null : text);
       if (this.checkedCode !== undefined) {
@@ -152,7 +178,7 @@
       this.say(SUMMARY[said.result]);
     }
 
-    setBusy(isBusy) {
+    setBusy(/** @type {boolean} */ isBusy) {
       const hadFocus = this.mount.contains(document.activeElement);
       const focused = document.activeElement;
       this.isBusy = isBusy;
@@ -165,13 +191,17 @@
       if (hadFocus && focused === this.stopButton) this.checkButton.focus();
     }
 
-    /** Show what a check said, and of which code. */
+    /**
+     * Show what a check said, and of which code.
+     * @param {Said} said
+     * @param {string} code
+     */
     show(said, code) {
       this.checkedCode = code;
       this.mount.dataset.result = said.result;
       this.output.classList.toggle("is-outdated", code !== this.editor.getText());
       const parts = [];
-      if (said.html) parts.push(makeVerdict(said));
+      if (said.html) parts.push(makeVerdict(said.html));
       if (said.error) parts.push(make("pre", "exercise-error", said.error));
       if (said.printed) {
         parts.push(make("p", "exercise-label", "Printed by your code:"));
@@ -183,16 +213,16 @@
   }
 
   /** The verdict's own HTML, as in the notebook, in the colors of the page. */
-  function makeVerdict(said) {
+  function makeVerdict(/** @type {string} */ html) {
     const verdict = make("div", "exercise-verdict");
-    verdict.innerHTML = said.html;
+    verdict.innerHTML = html;
     for (const element of verdict.querySelectorAll("[style]")) element.removeAttribute("style");
     nameLinks(verdict);
     return verdict;
   }
 
   /** On paper there is the plain cell: with the reader's code, where it is not the starter. */
-  function preparePrint(exercises) {
+  function preparePrint(/** @type {Exercise[]} */ exercises) {
     for (const { code, editor, starter } of exercises) {
       const text = editor.getText();
       code.dataset.starter ??= code.innerHTML;
@@ -202,16 +232,19 @@
   }
 
   /** Links of verdicts that the build has put on the page say their heading, too. */
-  function nameLinks(parent) {
+  function nameLinks(/** @type {Element} */ parent) {
     for (const link of parent.querySelectorAll("a")) {
-      link.textContent = python.data.titles[link.getAttribute("href")] ?? link.textContent;
+      const title = python.data.titles[link.getAttribute("href") ?? ""];
+      if (title !== undefined) link.textContent = title;
     }
   }
 
   function start() {
-    document.querySelectorAll(".cell_output").forEach(nameLinks);
+    for (const output of document.querySelectorAll(".cell_output")) nameLinks(output);
     if (!window.cameraLabEditor) return; // the page stays plain
-    const mounts = [...document.querySelectorAll(".exercise[data-exercise]")];
+    /** @type {NodeListOf<HTMLElement>} */
+    const found = document.querySelectorAll(".exercise[data-exercise]");
+    const mounts = [...found];
     const exercises = mounts.map((mount) => new Exercise(find(mount)));
     window.addEventListener("beforeprint", () => preparePrint(exercises));
   }

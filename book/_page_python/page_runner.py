@@ -17,7 +17,7 @@ from typing import Any
 
 from labutils import check, hint, report
 from labutils.checks.exceptions import explain
-from labutils.checks.progress import FILE_NAME
+from labutils.checks.progress_rules import FILE_NAME
 
 #: What a traceback calls the reader's code.
 FILE = "your code"

@@ -6,18 +6,16 @@
 //   localStorage["camera-lab-book.result.<name>"]    {"code", "said"} of the last check
 //
 // Where the browser keeps nothing, the page works with what this tab remembers.
-(function () {
+(() => {
   const PREFIX = "camera-lab-book.";
-  const FILE_NAME = "labutils-progress.json";
-  const VERSION = 1;
-  const MAX_HINTS = 3; // the same limits as in labutils/checks/progress.py
-  const COUNTED = ["mistakes", "relations", "probes"]; // older files have only the first
-  const MAX_FILE = 1_000_000; // characters; a file of ours has a few thousand
+  const { FILE_NAME, VERSION, MAX_HINTS, MAX_CHARACTERS, SCHEMA } = window.cameraLab.rules;
+  const COUNTED = /** @type {const} */ (["mistakes", "relations", "probes"]); // older files have only the first
 
+  /** @type {Map<string, string>} */
   const remembered = new Map(); // this tab's own, where the browser keeps nothing
   let kept = true;
 
-  function read(key) {
+  function read(/** @type {string} */ key) {
     try {
       const value = localStorage.getItem(PREFIX + key);
       if (value !== null) return value;
@@ -27,7 +25,11 @@
     return remembered.get(key) ?? null;
   }
 
-  /** Store a text; null removes it. */
+  /**
+   * Store a text; null removes it.
+   * @param {string} key
+   * @param {string | null} value
+   */
   function write(key, value) {
     if (value === null) remembered.delete(key);
     else remembered.set(key, value);
@@ -51,63 +53,123 @@
     }
   }
 
-  const isObject = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
-  const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
+  /** @type {Record<string, string>} */
+  const WORDS = {
+    object: "an object",
+    array: "a list",
+    string: "a text",
+    boolean: "true or false",
+    integer: "a whole number",
+    number: "a number",
+    null: "null",
+  };
 
-  /** Read a progress file by the rules of the library; throws an Error that says what is wrong. */
+  /** Name the kind of a value of JSON; a number that is whole, and exact, is an integer. */
+  function getKind(/** @type {unknown} */ value) {
+    if (value === null) return "null";
+    if (Array.isArray(value)) return "array";
+    return Number.isSafeInteger(value) ? "integer" : typeof value;
+  }
+
+  /**
+   * Say where JSON differs from a schema, and how, as find_fault in progress_rules.py: the first
+   * fault; "" where there is none.
+   * @param {any} value
+   * @param {Schema} schema
+   * @param {string} place
+   * @returns {string}
+   */
+  function findFault(value, schema, place = "the file") {
+    const kind = getKind(value);
+    if (!schema.type.includes(kind)) {
+      const wanted = schema.type.map((one) => WORDS[one]).join(" or ");
+      return `${place}: expected ${wanted}, got ${WORDS[kind]}`;
+    }
+    const { minimum: low = 0, maximum: high } = schema;
+    if (kind === "integer" && (value < low || (high !== undefined && value > high))) {
+      const range = low === high ? low : `${low} to ${high}`;
+      return `${place}: expected ${high === undefined ? `${low} or more` : range}, got ${value}`;
+    }
+    if (kind !== "object") return "";
+    const missing = schema.required?.find((name) => !Object.hasOwn(value, name));
+    if (missing) return `${place}: expected "${missing}", got none`;
+    for (const name of Object.keys(value).sort()) {
+      const own = new Map(Object.entries(schema.properties ?? {})).get(name);
+      const rule = own ?? schema.additionalProperties;
+      const inside = place === "the file" ? name : `${place}.${name}`;
+      const fault = rule ? findFault(value[name], rule, inside) : "";
+      if (fault) return fault;
+    }
+    return "";
+  }
+
+  /**
+   * Read a progress file by the rules of the library; throws an Error that says what is wrong.
+   * @param {string} text
+   * @returns {ProgressRecords}
+   */
   function parse(text) {
-    if (text.length > MAX_FILE) throw new Error("it is far too long");
+    if (text.length > MAX_CHARACTERS) throw new Error("it is far too long");
     let content;
     try {
       content = JSON.parse(text);
     } catch {
       throw new Error("it is no JSON");
     }
-    if (!isObject(content?.exercises)) throw new Error('it has no "exercises"');
-    if (content.version !== VERSION) throw new Error(`its version is not ${VERSION}`);
+    const fault = findFault(content, SCHEMA);
+    if (fault) throw new Error(fault);
     const entries = Object.entries(content.exercises);
-    return new Map(entries.map(([name, item]) => [name, parseRecord(name, item)]));
+    return new Map(entries.map(([name, item]) => [name, readRecord(item)]));
   }
 
-  function parseRecord(name, item) {
-    const isRecord =
-      isObject(item) &&
-      typeof item.passed === "boolean" &&
-      isCount(item.attempts) &&
-      isCount(item.hints) &&
-      item.hints <= MAX_HINTS &&
-      (item.last_property === null || typeof item.last_property === "string") &&
-      isObject(item.mistakes) &&
-      COUNTED.every((kind) => isObject(item[kind] ?? {})) &&
-      COUNTED.every((kind) => Object.values(item[kind] ?? {}).every(isCount));
-    if (!isRecord) throw new Error(`what it says of ${JSON.stringify(name)} is no record`);
+  /**
+   * @param {any} item
+   * @returns {ProgressRecord}
+   */
+  function readRecord(item) {
     const { passed, attempts, hints, last_property } = item;
-    const counts = COUNTED.map((kind) => [kind, { ...item[kind] }]);
-    return { passed, attempts, hints, last_property, ...Object.fromEntries(counts) };
+    const [mistakes, relations, probes] = COUNTED.map((kind) => ({ ...item[kind] }));
+    return { passed, attempts, hints, last_property, mistakes, relations, probes };
   }
 
-  /** Write records as the library does: names in order, indented by one. */
+  /**
+   * Write records as the library does: names in order, indented by one.
+   * @param {ProgressRecords} records
+   */
   function format(records) {
     const names = [...records.keys()].sort();
     const exercises = Object.fromEntries(names.map((name) => [name, records.get(name)]));
     return `${JSON.stringify({ version: VERSION, exercises }, null, 1)}\n`;
   }
 
-  /** Join two records of one exercise: nothing that was reached gets lost. */
-  function mergeRecord(a, b) {
-    const merged = {};
-    for (const kind of COUNTED) {
-      merged[kind] = { ...a[kind] };
-      for (const [name, count] of Object.entries(b[kind])) {
-        merged[kind][name] = Math.max(count, merged[kind][name] ?? 0);
-      }
+  /**
+   * Join two counts: the larger of each wins.
+   * @param {Counts} a
+   * @param {Counts} b
+   */
+  function mergeCounts(a, b) {
+    const merged = { ...a };
+    for (const [name, count] of Object.entries(b)) {
+      merged[name] = Math.max(count, merged[name] ?? 0);
     }
+    return merged;
+  }
+
+  /**
+   * Join two records of one exercise: nothing that was reached gets lost.
+   * @param {ProgressRecord} a
+   * @param {ProgressRecord} b
+   * @returns {ProgressRecord}
+   */
+  function mergeRecord(a, b) {
     return {
       passed: a.passed || b.passed,
       attempts: Math.max(a.attempts, b.attempts),
       hints: Math.max(a.hints, b.hints),
       last_property: (b.attempts >= a.attempts ? b : a).last_property,
-      ...merged,
+      mistakes: mergeCounts(a.mistakes, b.mistakes),
+      relations: mergeCounts(a.relations, b.relations),
+      probes: mergeCounts(a.probes, b.probes),
     };
   }
 
@@ -119,30 +181,37 @@
     }
   }
 
-  /** Add records to those that are stored; of two that differ, the longer history wins. */
+  /**
+   * Add records to those that are stored; of two that differ, the longer history wins.
+   * @param {ProgressRecords} records
+   */
   function merge(records) {
     const stored = load();
     for (const [name, record] of records) {
-      stored.set(name, stored.has(name) ? mergeRecord(stored.get(name), record) : record);
+      const before = stored.get(name);
+      stored.set(name, before ? mergeRecord(before, record) : record);
     }
     write("progress", format(stored));
     document.dispatchEvent(new CustomEvent("camera-lab-progress"));
   }
 
-  /** Count the next hint of an exercise; return its number, as `hint` of the library does. */
+  /**
+   * Count the next hint of an exercise; return its number, as `hint` of the library does.
+   * @param {string} name
+   */
   function countHint(name) {
     const records = load();
     const empty = { passed: false, attempts: 0, hints: 0, last_property: null, mistakes: {} };
-    const record = records.get(name) ?? parseRecord(name, empty);
+    const record = records.get(name) ?? readRecord(empty);
     record.hints = Math.min(record.hints + 1, MAX_HINTS);
     merge(new Map([[name, record]]));
     return record.hints;
   }
 
-  function readResult(name) {
+  function readResult(/** @type {string} */ name) {
     try {
-      const stored = JSON.parse(read(`result.${name}`));
-      return typeof stored?.code === "string" && isObject(stored.said) ? stored : null;
+      const stored = JSON.parse(read(`result.${name}`) ?? "null");
+      return typeof stored?.code === "string" && getKind(stored.said) === "object" ? stored : null;
     } catch {
       return null;
     }

@@ -1,27 +1,36 @@
 // The one Python of a page: loads it on the first click, runs one piece of code after the other,
 // and ends it where code does not end. worker.js is the other end.
-(function () {
-  const data = JSON.parse(document.getElementById("exercise-data").textContent);
+(() => {
+  /** @type {ExerciseData} */
+  const data = JSON.parse(document.getElementById("exercise-data")?.textContent ?? "");
   const base = new URL(data.base, document.baseURI).href;
   const AGAIN = "The next check starts it anew.";
   const options = { limitMs: 20_000 }; // of the reader's code; loading does not count
 
+  /** @type {Map<string, Promise<Blob>>} */
   const blobs = new Map(); // name of an asset: a promise of its content, gzipped
+  /** @type {Record<string, (text: string) => void>} */
   const waiting = {}; // "name/piece": what to do when its script has come
+  /** @type {Job[]} */
   const queue = [];
+  /** @type {Job | null} */
   let current = null; // the job that has the worker
+  /** @type {Worker | null} */
   let worker = null;
+  /** @type {Promise<void> | null} */
   let booting = null; // a promise while Python loads, and after
   let loadingText = ""; // how far that is
   let givenTables = new Set();
-  let timer = 0;
+  /** @type {ReturnType<typeof setTimeout>} */
+  let timer;
 
   /** Every script of an asset calls this. */
   window.cameraLabAsset = (name, piece, text) => waiting[`${name}/${piece}`]?.(text);
 
-  async function loadScript(file) {
+  async function loadScript(/** @type {string} */ file) {
     const script = document.createElement("script");
     script.src = `${base}${file}?v=${data.version}`;
+    /** @type {Promise<unknown>} */
     const loaded = new Promise((resolve, reject) => {
       script.onload = resolve;
       script.onerror = () => reject(new Error(`a file of this page could not be loaded: ${file}`));
@@ -30,37 +39,52 @@
     await loaded.finally(() => script.remove());
   }
 
+  /**
+   * @param {string} name
+   * @param {string} file
+   * @param {number} piece
+   */
   async function loadPiece(name, file, piece) {
-    let text;
-    waiting[`${name}/${piece}`] = (given) => (text = given);
+    let text = "";
+    waiting[`${name}/${piece}`] = (given) => {
+      text = given;
+    };
     await loadScript(file);
     delete waiting[`${name}/${piece}`];
     return (await fetch(`data:application/octet-stream;base64,${text}`)).blob();
   }
 
-  /** Load an asset once; what failed is tried again the next time. */
+  /**
+   * Load an asset once; what failed is tried again the next time.
+   * @param {Asset} asset
+   * @param {(bytes: number) => void} onLoaded
+   */
   function loadAsset(asset, onLoaded = () => {}) {
-    if (!blobs.has(asset.name)) {
+    let whole = blobs.get(asset.name);
+    if (!whole) {
       const pieces = asset.files.map(async (file, piece) => {
         const blob = await loadPiece(asset.name, file, piece);
         onLoaded(blob.size);
         return blob;
       });
-      const whole = Promise.all(pieces).then((parts) => new Blob(parts));
+      whole = Promise.all(pieces).then((parts) => new Blob(parts));
       whole.catch(() => blobs.delete(asset.name));
       blobs.set(asset.name, whole);
     }
-    return blobs.get(asset.name);
+    return whole;
   }
 
-  async function inflateText(blob) {
+  async function inflateText(/** @type {Blob} */ blob) {
     return new Response(blob.stream().pipeThrough(new DecompressionStream("gzip"))).text();
   }
 
-  /** Load everything and start the worker. */
+  /**
+   * Load everything and start the worker.
+   * @param {Say} say
+   */
   async function boot(say) {
     let loaded = 0;
-    const count = (bytes) => {
+    const count = (/** @type {number} */ bytes) => {
       loaded += bytes;
       say(`Loading Python: ${megabytes(loaded)} of ${megabytes(data.bytes)} MB`);
     };
@@ -70,20 +94,24 @@
     say(data.remote.length ? "Loading NumPy and OpenCV from the network" : "Starting Python");
     const script = await inflateText(assets["worker.js"]);
     const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-    worker = new Worker(url);
+    const booted = new Worker(url);
+    worker = booted;
     URL.revokeObjectURL(url);
     givenTables = new Set();
-    await new Promise((resolve, reject) => {
-      worker.onerror = (event) => reject(new Error(event.message || "the worker did not start"));
-      worker.onmessage = ({ data: message }) =>
+    /** @type {Promise<void>} */
+    const ready = new Promise((resolve, reject) => {
+      booted.onerror = (event) => reject(new Error(event.message || "the worker did not start"));
+      booted.onmessage = ({ data: message }) =>
         message.kind === "ready" ? resolve() : reject(new Error(message.message));
-      worker.postMessage({ kind: "boot", assets, remote: data.remote, lock: data.lock });
+      booted.postMessage({ kind: "boot", assets, remote: data.remote, lock: data.lock });
     });
-    worker.onmessage = ({ data: message }) => hear(message);
-    worker.onerror = (event) => finish({ result: "stopped", error: `Python failed: ${event.message}` });
+    await ready;
+    booted.onmessage = ({ data: message }) => hear(message);
+    booted.onerror = (event) =>
+      finish({ result: "stopped", error: `Python failed: ${event.message}` });
   }
 
-  const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+  const megabytes = (/** @type {number} */ bytes) => (bytes / 1e6).toFixed(1);
 
   function end() {
     worker?.terminate();
@@ -91,7 +119,7 @@
     booting = null;
   }
 
-  function hear(message) {
+  function hear(/** @type {Exclude<WorkerAnswer, { kind: "ready" }>} */ message) {
     if (message.kind === "done") {
       finish(message.said);
     } else {
@@ -110,7 +138,7 @@
   }
 
   /** Give the current job its result, and begin the next. */
-  function finish(said) {
+  function finish(/** @type {Said} */ said) {
     clearTimeout(timer);
     const job = current;
     current = null;
@@ -119,8 +147,9 @@
   }
 
   async function next() {
-    if (current || !queue.length) return;
+    if (current) return;
     const job = queue.shift();
+    if (!job) return;
     current = job;
     try {
       if (booting) job.say(loadingText);
@@ -139,16 +168,22 @@
       job.say("Running");
       job.isRunning = true;
       timer = setTimeout(stopLate, options.limitMs);
-      worker.postMessage({ kind: "run", code, exercise, progress, table: isNew ? content : null });
-    } catch (error) {
+      worker?.postMessage({ kind: "run", code, exercise, progress, table: isNew ? content : null });
+    } catch (thrown) {
+      const error = /** @type {Error} */ (thrown);
       end();
-      if (current === job) finish({ result: "stopped", error: `Python did not start: ${error.message}.` });
+      if (current === job)
+        finish({ result: "stopped", error: `Python did not start: ${error.message}.` });
     }
   }
 
   /**
    * Run code and check the function in it; resolves to what page_runner.py says, or to
    * {result: "stopped", error}.
+   * @param {string} exercise
+   * @param {string} code
+   * @param {Say} say
+   * @returns {Promise<Said>}
    */
   function check(exercise, code, say) {
     return new Promise((resolve) => {
@@ -159,7 +194,7 @@
   }
 
   /** Stop the check of an exercise, whether it waits, loads or runs. */
-  function stop(exercise) {
+  function stop(/** @type {string} */ exercise) {
     const place = queue.findIndex((job) => job.exercise === exercise);
     if (place >= 0) {
       const [job] = queue.splice(place, 1);
@@ -167,7 +202,10 @@
     } else if (current?.exercise === exercise) {
       const { isRunning } = current;
       if (isRunning) end();
-      finish({ result: "stopped", error: isRunning ? `Stopped. ${AGAIN}` : "Stopped before it began." });
+      finish({
+        result: "stopped",
+        error: isRunning ? `Stopped. ${AGAIN}` : "Stopped before it began.",
+      });
     }
   }
 

@@ -1,6 +1,7 @@
 // Python for the exercise cells, in a worker. The page sends {kind: "boot"} once, then {kind: "run"};
 // python.js is the other end. This script comes from a blob, as a classic worker: a module worker
 // cannot be started on a page that is opened from a file.
+// biome-ignore lint/suspicious/noRedundantUseStrict: a script, although Biome takes it for a module
 "use strict";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
@@ -8,20 +9,22 @@ const TABLES = `${SITE_PACKAGES}/labutils/checks/tables`;
 const HOME = "/home/pyodide";
 const INDEX = "https://book.invalid/"; // never asked: fetch below answers in its place
 
+/** @type {Pyodide} */
 let pyodide;
+/** @type {(code: string, exercise: string, progress: string) => string} */
 let runCode;
 
 /** The content of an asset: a Blob of gzip. */
-function inflate(blob) {
+function inflate(/** @type {Blob} */ blob) {
   return new Response(blob.stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-async function inflateBytes(blob) {
+async function inflateBytes(/** @type {Blob} */ blob) {
   return new Uint8Array(await inflate(blob).arrayBuffer());
 }
 
 /** Import a module whose text is an asset. */
-async function importAsset(blob) {
+async function importAsset(/** @type {Blob} */ blob) {
   const text = await inflate(blob).text();
   const url = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   try {
@@ -32,13 +35,17 @@ async function importAsset(blob) {
 }
 
 /** Let Pyodide find its own files among the assets, and nothing else. */
-function serveFiles(assets) {
+function serveFiles(/** @type {Record<string, Blob>} */ assets) {
   // Pyodide asks in this way whether it runs in a module worker, which it needs for import().
-  self.importScripts = () => {
+  /** @type {any} */ (self).importScripts = () => {
     throw new TypeError("not in a module worker");
   };
-  self.fetch = async (request) => {
-    const name = String(request.url ?? request).split("/").pop();
+  self.fetch = async (asked) => {
+    const request = /** @type {Request} */ (asked);
+    const name =
+      String(request.url ?? asked)
+        .split("/")
+        .pop() ?? "";
     const blob = assets[`vendor/${name}`];
     if (!blob) throw new TypeError(`Python in the page asks for nothing else: ${name}`);
     const type = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
@@ -46,7 +53,11 @@ function serveFiles(assets) {
   };
 }
 
-/** Load the wheels that the page could not bring with it; each has to be the file that is meant. */
+/**
+ * Load the wheels that the page could not bring with it; each has to be the file that is meant.
+ * @param {RemoteWheel[]} remote
+ * @param {typeof fetch} download
+ */
 async function loadWheels(remote, download) {
   // not crypto.subtle: a page that comes by plain http has none
   const getSha256 = pyodide.runPython(
@@ -58,7 +69,8 @@ async function loadWheels(remote, download) {
       const answer = await download(url);
       if (!answer.ok) throw new TypeError(`status ${answer.status}`);
       content = new Uint8Array(await answer.arrayBuffer());
-    } catch (error) {
+    } catch (thrown) {
+      const error = /** @type {Error} */ (thrown);
       throw new Error(`${name} could not be loaded from ${new URL(url).host} (${error.message})`);
     }
     if (getSha256(content) !== sha256) {
@@ -68,7 +80,7 @@ async function loadWheels(remote, download) {
   }
 }
 
-async function boot({ assets, remote, lock }) {
+async function boot(/** @type {BootOrder} */ { assets, remote, lock }) {
   const download = self.fetch.bind(self);
   serveFiles(assets);
   const [{ loadPyodide }, module] = await Promise.all([
@@ -76,7 +88,9 @@ async function boot({ assets, remote, lock }) {
     importAsset(assets["vendor/pyodide.asm.mjs"]),
   ]);
   // inflated while Pyodide compiles
-  const archives = Object.keys(assets).filter((name) => name.endsWith(".zip") && !name.includes("stdlib"));
+  const archives = Object.keys(assets).filter(
+    (name) => name.endsWith(".zip") && !name.includes("stdlib"),
+  );
   const unpacked = archives.map((name) => inflateBytes(assets[name]));
   const runner = inflateBytes(assets["page_runner.py"]);
   pyodide = await loadPyodide({
@@ -93,7 +107,7 @@ async function boot({ assets, remote, lock }) {
   runCode = pyodide.pyimport("page_runner").run;
 }
 
-async function run({ code, exercise, progress, table }) {
+async function run(/** @type {RunOrder} */ { code, exercise, progress, table }) {
   if (table) pyodide.FS.writeFile(`${TABLES}/${exercise}.npz`, await inflateBytes(table));
   return JSON.parse(runCode(code, exercise, progress));
 }
@@ -108,6 +122,9 @@ self.onmessage = async ({ data }) => {
     }
   } catch (error) {
     // what Python itself could not catch: out of memory, a stack that is too deep
-    self.postMessage({ kind: "fatal", message: String(error?.message ?? error) });
+    self.postMessage({
+      kind: "fatal",
+      message: String(/** @type {any} */ (error)?.message ?? error),
+    });
   }
 };

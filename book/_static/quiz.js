@@ -4,7 +4,20 @@
 //   localStorage["camera-lab-book"] = {"version": 1, "quiz": {"2a": {"choice": 1, "right": true}}}
 //
 // Other parts of the book may keep their own entries beside "quiz".
-(function () {
+/**
+ * The parts of one question.
+ * @typedef {object} Item
+ * @property {HTMLFormElement} form
+ * @property {string} id
+ * @property {number} right
+ * @property {HTMLInputElement[]} inputs
+ * @property {HTMLButtonElement} button
+ * @property {HTMLElement} feedback
+ * @property {HTMLElement} answers
+ */
+/** @typedef {Record<string, { choice: number, right: boolean }>} Answers */
+
+(() => {
   const KEY = "camera-lab-book";
   const VERSION = 1;
 
@@ -22,7 +35,10 @@
     }
   }
 
-  /** Change the stored answers; where that is impossible the page works on without memory. */
+  /**
+   * Change the stored answers; where that is impossible the page works on without memory.
+   * @param {(quiz: Answers) => void} change
+   */
   function update(change) {
     const record = load();
     if (!record) return;
@@ -34,37 +50,51 @@
     }
   }
 
-  /** The parts of one question. */
+  /**
+   * @param {HTMLFormElement} form
+   * @returns {Item}
+   */
   function find(form) {
+    const get = (/** @type {string} */ selector) =>
+      /** @type {any} */ (form.querySelector(selector));
     return {
       form,
-      id: form.dataset.quiz,
+      id: String(form.dataset.quiz),
       right: Number(form.dataset.right),
       inputs: [...form.querySelectorAll("input")],
-      button: form.querySelector("button"),
-      feedback: form.querySelector(".quiz-feedback"),
-      answers: form.querySelector(".quiz-answers"),
+      button: get("button"),
+      feedback: get(".quiz-feedback"),
+      answers: get(".quiz-answers"),
     };
   }
 
-  function choiceOf(item) {
+  function choiceOf(/** @type {Item} */ item) {
     return item.inputs.findIndex((input) => input.checked);
   }
 
-  function clear(item) {
+  function clear(/** @type {Item} */ item) {
     item.feedback.replaceChildren();
     delete item.form.dataset.verdict;
   }
 
-  /** Show what there is to say about a choice, and where to read again. */
+  /**
+   * Show what there is to say about a choice, and where to read again.
+   * @param {Item} item
+   * @param {number} choice
+   */
   function show(item, choice) {
     const said = item.answers.querySelector(`[data-choice="${choice}"]`);
-    const again = item.answers.querySelector(".quiz-again");
     const isRight = choice === item.right;
-    item.feedback.replaceChildren(...(isRight ? [said] : [said, again]).map((p) => p.cloneNode(true)));
+    const again = isRight ? null : item.answers.querySelector(".quiz-again");
+    const paragraphs = [said, again].filter((p) => p !== null);
+    item.feedback.replaceChildren(...paragraphs.map((p) => p.cloneNode(true)));
     item.form.dataset.verdict = isRight ? "right" : "wrong";
   }
 
+  /**
+   * @param {Item} item
+   * @param {{ draw: () => void }} summary
+   */
   function check(item, summary) {
     const choice = choiceOf(item);
     if (choice < 0) {
@@ -74,19 +104,28 @@
       return;
     }
     show(item, choice);
-    update((quiz) => (quiz[item.id] = { choice, right: choice === item.right }));
+    update((quiz) => {
+      quiz[item.id] = { choice, right: choice === item.right };
+    });
     summary.draw();
   }
 
-  /** Bring back an earlier answer, unless the question has changed since. */
+  /**
+   * Bring back an earlier answer, unless the question has changed since.
+   * @param {Item} item
+   * @param {Answers[string] | undefined} stored
+   */
   function restore(item, stored) {
-    const input = item.inputs[stored?.choice];
+    const input = stored && item.inputs[stored.choice];
     if (!input || stored.right !== (stored.choice === item.right)) return;
     input.checked = true;
     show(item, stored.choice);
   }
 
-  /** The line below the questions: how many are right, and a way to start over. */
+  /**
+   * The line below the questions: how many are right, and a way to start over.
+   * @param {Item[]} items
+   */
   function makeSummary(items) {
     const element = document.createElement("p");
     element.className = "quiz-summary";
@@ -104,7 +143,9 @@
       again.disabled = !answered;
     }
     again.addEventListener("click", () => {
-      update((quiz) => items.forEach((item) => delete quiz[item.id]));
+      update((quiz) => {
+        for (const item of items) delete quiz[item.id];
+      });
       for (const item of items) {
         item.form.reset();
         clear(item);
@@ -115,8 +156,9 @@
     return { element, draw };
   }
 
-  function start(quiz) {
-    const items = [...quiz.querySelectorAll(".quiz-item")].map(find);
+  function start(/** @type {Element} */ quiz) {
+    const forms = /** @type {NodeListOf<HTMLFormElement>} */ (quiz.querySelectorAll(".quiz-item"));
+    const items = [...forms].map(find);
     const summary = makeSummary(items);
     quiz.append(summary.element);
     for (const item of items) {

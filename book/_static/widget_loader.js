@@ -2,13 +2,14 @@
 // It names the vendored files, so that the widget manager asks no CDN. The two
 // "@jupyter-widgets" lines are for its icon fonts: it finds them through the
 // address of its own module and otherwise misses them now and then.
-(function () {
-  const here = document.currentScript.src.replace(/[^/]*$/, "");
-  const folder = here + "widgets";
-  window.__jupyter_widgets_assets_path__ = folder + "/";
+(() => {
+  const script = /** @type {HTMLScriptElement} */ (document.currentScript);
+  const here = script.src.replace(/[^/]*$/, "");
+  const folder = `${here}widgets`;
+  window.__jupyter_widgets_assets_path__ = `${folder}/`;
   window.requirejs.config({
     paths: {
-      anywidget: folder + "/anywidget",
+      anywidget: `${folder}/anywidget`,
       "@jupyter-widgets": folder,
       "@jupyter-widgets/html-manager/dist": folder,
     },
@@ -18,10 +19,11 @@
   // loaded by the time the document is parsed (its script is deferred).
   document.addEventListener("DOMContentLoaded", () => {
     const mathjax = window.MathJax;
-    if (!mathjax?.startup) return;
+    const loaded = mathjax?.startup?.promise;
+    if (!loaded) return;
     mathjax.Hub = {
-      Queue: ([, , element]) =>
-        mathjax.startup.promise.then(() => mathjax.typesetPromise([element])),
+      Queue: (/** @type {[any, any, Element]} */ [, , element]) =>
+        loaded.then(() => mathjax.typesetPromise([element])),
     };
   });
 })();

@@ -8,7 +8,8 @@ from typing import Any
 
 from labutils.checks.judging import judge
 from labutils.checks.links import find_link
-from labutils.checks.progress import MAX_HINTS, Progress, load_progress, save_progress
+from labutils.checks.progress import Progress, load_progress, save_progress
+from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import TableError, load_table, read_words
 from labutils.checks.verdict import NOT_YOURS, Verdict
 

@@ -1,7 +1,7 @@
 """Keep what a learner has done in one small file beside the notebook.
 
 No account, no server: ``labutils-progress.json`` in the working folder. It is written whole or not
-at all, and a file that cannot be read is set aside, never overwritten.
+at all, and a file that is none of ours is set aside, never overwritten.
 """
 
 from __future__ import annotations
@@ -12,13 +12,15 @@ import os
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
-FILE_NAME = "labutils-progress.json"
-VERSION = 1
-
-#: Hints per exercise; `hint` counts up to here.
-MAX_HINTS = 3
+from labutils.checks.progress_rules import (
+    FILE_NAME,
+    MAX_CHARACTERS,
+    SCHEMA,
+    VERSION,
+    find_fault,
+)
 
 
 @dataclass
@@ -53,48 +55,60 @@ def load_progress(folder: Path | None = None) -> Progress:
         text = path.read_text(encoding="utf-8")
     except FileNotFoundError:
         return Progress()
-    except (OSError, UnicodeDecodeError) as error:
-        return Progress(notice=_set_aside(path, error))
+    except OSError as error:
+        return Progress(notice=_set_aside(path, f"it cannot be opened ({type(error).__name__})"))
+    except UnicodeDecodeError:
+        return Progress(notice=_set_aside(path, "it is no JSON"))
     try:
-        content = json.loads(text)
-        return Progress({name: _read_record(item) for name, item in content["exercises"].items()})
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
-        return Progress(notice=_set_aside(path, error))
+        return Progress(parse_progress(text))
+    except ValueError as error:
+        return Progress(notice=_set_aside(path, str(error)))
+
+
+def parse_progress(text: str) -> dict[str, Record]:
+    """Read the records of a file by its rules.
+
+    Raises
+    ------
+    ValueError
+        If it breaks one; the message says which.
+    """
+    if len(text) > MAX_CHARACTERS:
+        raise ValueError("it is far too long")
+    try:
+        content = json.loads(text, parse_constant=_refuse)
+    except (ValueError, RecursionError):
+        raise ValueError("it is no JSON") from None
+    if fault := find_fault(content, SCHEMA):
+        raise ValueError(fault)
+    return {name: _read_record(item) for name, item in content["exercises"].items()}
+
+
+def _refuse(name: str) -> NoReturn:
+    """Refuse NaN and infinity, which are no JSON."""
+    raise ValueError(name)
 
 
 def _read_record(item: dict[str, Any]) -> Record:
-    record = Record(
-        passed=item["passed"],
-        attempts=item["attempts"],
-        hints=item["hints"],
-        last_property=item["last_property"],
-        mistakes=dict(item["mistakes"]),
-        # Files of the first release have neither.
-        relations=dict(item.get("relations", {})),
-        probes=dict(item.get("probes", {})),
-    )
-    counts = [*record.mistakes.values(), *record.relations.values(), *record.probes.values()]
-    kinds = (
-        all(isinstance(count, int) for count in counts),
-        isinstance(record.passed, bool),
-        isinstance(record.attempts, int),
-        isinstance(record.hints, int) and 0 <= record.hints <= MAX_HINTS,
-        isinstance(record.last_property, str | None),
-    )
-    if not all(kinds):
-        raise ValueError(f"a record holds something else than a record: {item}")
-    return record
+    counts = {
+        kind: {name: int(count) for name, count in item.get(kind, {}).items()}
+        for kind in ("mistakes", "relations", "probes")
+    }
+    attempts, hints = int(item["attempts"]), int(item["hints"])
+    return Record(item["passed"], attempts, hints, item["last_property"], **counts)
 
 
-def _set_aside(path: Path, error: Exception) -> str:
+def _set_aside(path: Path, reason: str) -> str:
+    """Give the file another name; return what there is to say of it."""
     number = 1
     while (aside := path.with_name(f"{path.stem}-damaged-{number}.json")).exists():
         number += 1
+    said = f"{path.name} is no progress file: {reason}."
     try:
         path.rename(aside)
     except OSError:
-        return f"{path.name} cannot be read ({type(error).__name__}); progress starts anew."
-    return f"{path.name} could not be read; it is kept as {aside.name}, progress starts anew."
+        return f"{said} It cannot be moved; progress starts anew."
+    return f"{said} It is kept as {aside.name}; progress starts anew."
 
 
 def save_progress(progress: Progress, folder: Path | None = None) -> str:

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from labutils.checks.links import find_link
-from labutils.checks.progress import MAX_HINTS, Record, load_progress
+from labutils.checks.progress import Record, load_progress
+from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import read_words
 from labutils.checks.verdict import HIDDEN_CASES
 

@@ -24,8 +24,8 @@ COLOR_MAPS = {"turbo": cv2.COLORMAP_TURBO, "viridis": cv2.COLORMAP_VIRIDIS, "gra
 # the darkest gray of a surface: black stays for what is none
 _DARKEST = 48
 
-# two colors each, RGB: stripes are in no color map
-_STRIPES = {
+#: Two colors each, RGB: stripes are in no color map.
+STRIPES = {
     NEARER: ((255, 255, 255), (214, 60, 140)),
     FARTHER: ((200, 200, 200), (140, 140, 140)),
 }
@@ -104,6 +104,6 @@ def paint_depth(steps: np.ndarray, near: float, far: float, color_map: int) -> n
     v, u = np.mgrid[: steps.shape[0], : steps.shape[1]]
     for kind, across in ((NEARER, u + v), (FARTHER, u - v)):
         chosen = kinds == kind
-        rgb[chosen] = np.array(_STRIPES[kind], np.uint8)[(across[chosen] >> 3) & 1]
+        rgb[chosen] = np.array(STRIPES[kind], np.uint8)[(across[chosen] >> 3) & 1]
     rgb[kinds == NO_SURFACE] = 0
     return rgb

@@ -29,7 +29,10 @@ from labutils.explorers._modules import join_modules, join_styles
 FULL_RANGE: HsvRange = ((0, 0, 0), (MAX_HUE, 255, 255))
 #: Largest radius of opening and closing: a square of 13 x 13 pixels.
 MAX_RADIUS = 6
-_SHOWN = ("overlay", "mask", "picture")
+#: What of the picture is shown.
+SHOWN = ("overlay", "mask", "picture")
+#: How bright the picture is where nothing is selected.
+DIM = 0.4
 _NAMES = ("hue", "saturation", "value")
 
 
@@ -122,7 +125,7 @@ class HsvView(PixelView):
         """Draw the picture, gray where nothing is selected, with a cross at the centroid."""
         rgb, mask = self.rgb, self.make_mask()
         gray = cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY)
-        poster = np.where(mask[..., None] > 0, rgb, (gray * 0.4).astype(np.uint8)[..., None])
+        poster = np.where(mask[..., None] > 0, rgb, (gray * DIM).astype(np.uint8)[..., None])
         if centroid := find_object_centroid(mask):
             cv2.drawMarker(poster, centroid, (0, 0, 0), cv2.MARKER_CROSS, 31, 6)
             cv2.drawMarker(poster, centroid, (255, 255, 255), cv2.MARKER_CROSS, 29, 2)
@@ -229,7 +232,7 @@ def explore_hsv(
         "value_limits": make_range_slider("value", (0, 255), 1),
         "open_radius": make_slider("open", (0, MAX_RADIUS), 1, unit="px"),
         "close_radius": make_slider("close", (0, MAX_RADIUS), 1, unit="px"),
-        "shown": make_choice("show", _SHOWN),
+        "shown": make_choice("show", SHOWN),
     }
     return HsvExplorer(view, controls)
 

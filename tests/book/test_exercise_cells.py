@@ -12,18 +12,10 @@ from docutils.frontend import get_default_settings
 from docutils.utils import new_document
 from sphinx.errors import ExtensionError
 
-from labutils.checks.progress import (
-    FILE_NAME,
-    MAX_HINTS,
-    VERSION,
-    Progress,
-    Record,
-    save_progress,
-)
+from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import load_table, read_words
 from tests.book.test_build_config import load
 from tests.helpers.chapters import get_toc_pages
-from tests.helpers.node import run_node
 
 ROOT = Path(__file__).resolve().parents[2]
 HTML = ROOT / "_build" / "html"
@@ -199,51 +191,14 @@ def test_every_asset_a_page_names_is_there(data: dict[str, Any]) -> None:
     assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
 
 
-def test_only_pages_with_exercises_load_the_scripts(pages: dict[str, str]) -> None:
-    scripts = ("editor.js", "progress.js", "python.js", "exercises.js", "exercise_bar.js")
+def test_only_pages_with_exercises_load_the_scripts(
+    pages: dict[str, str], hook: ModuleType
+) -> None:
     for page in pages.values():
-        places = [page.index(f"_static/python/{name}") for name in scripts]
+        places = [page.index(f"_static/python/{name}") for name in hook.SCRIPTS]
         assert places == sorted(places)
         assert "_static/python/vendor" not in re.sub(DATA, "", page)  # only on a click
     others = [path for path in HTML.rglob("*.html") if path.parent.name != "exercises"]
     assert others
     for path in others:
         assert "_static/python" not in path.read_text(), path
-
-
-#: Gives texts to the script of the page, which reads them as progress files; tells what it says.
-READ_PROGRESS = """
-import { readFileSync } from "node:fs";
-import vm from "node:vm";
-const [, script] = process.argv;
-globalThis.window = globalThis;
-globalThis.document = new EventTarget(); // who hears of a change is another test's matter
-vm.runInThisContext(readFileSync(script, "utf8"));
-const { parse, merge, text } = window.cameraLab.progress;
-const told = JSON.parse(readFileSync(0)).map((given) => {
-  try {
-    merge(parse(given));
-    return text();
-  } catch (error) {
-    return `refused: ${error.message}`;
-  }
-});
-console.log(JSON.stringify(told));
-"""
-
-
-def test_the_page_counts_hints_and_versions_like_the_library(tmp_path: Path) -> None:
-    files = []
-    for hints in (0, MAX_HINTS):
-        save_progress(Progress({"process_depth": Record(attempts=2, hints=hints)}), tmp_path)
-        files.append((tmp_path / FILE_NAME).read_text(encoding="utf-8"))
-    last = files[-1]
-    too_many = last.replace(f'"hints": {MAX_HINTS}', f'"hints": {MAX_HINTS + 1}')
-    newer = last.replace(f'"version": {VERSION}', f'"version": {VERSION + 1}')
-    assert len({*files, too_many, newer}) == 4
-    script = ROOT / "book" / "_page_python" / "progress.js"
-    given = json.dumps([*files, too_many, newer])
-    told = json.loads(run_node(READ_PROGRESS, str(script), given=given))
-    assert told[:2] == files  # read, and written as the library writes
-    assert told[2] == 'refused: what it says of "process_depth" is no record'
-    assert told[3] == f"refused: its version is not {VERSION}"

@@ -4,7 +4,7 @@
 // of the first. Prints what was said to each, and what went wrong on the page.
 
 import { readFileSync } from "node:fs";
-import { main, openPage } from "./_browser.mjs";
+import { main, openPage } from "../../tools/browser.mjs";
 import { check } from "./_exercises.mjs";
 
 await main(async (browser, site, name, planFile) => {

@@ -3,7 +3,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { close, forEach, main, openPage, require } from "./_browser.mjs";
+import { close, forEach, main, openPage, require } from "../../tools/browser.mjs";
 
 const THEMES = ["light", "dark"];
 const GRAVE = ["serious", "critical"];
@@ -26,7 +26,10 @@ async function audit(browser, site, name) {
   const audits = {};
   for (const theme of THEMES) {
     await page.emulateMedia({ colorScheme: theme });
-    await page.waitForFunction((wanted) => document.documentElement.dataset.theme === wanted, theme);
+    await page.waitForFunction(
+      (wanted) => document.documentElement.dataset.theme === wanted,
+      theme,
+    );
     audits[theme] = await page.evaluate(runAxe, GRAVE);
   }
   await close(tab);

@@ -2,7 +2,7 @@
 // with WebGL and once in a browser that has none; pictures go into FOLDER. test_cloud_view.py
 // says what is right.
 
-import { launch } from "./_browser.mjs";
+import { launch } from "../../tools/browser.mjs";
 
 const [site, folder] = process.argv.slice(2);
 const FLAGS = { webgl2: [], "2d": ["--disable-gpu", "--disable-3d-apis"] };
@@ -28,7 +28,9 @@ async function watch(page, kind) {
     page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done, 400))));
   const report = () =>
     page.evaluate(() => ({
-      ...Object.fromEntries(["fov_y_deg", "far", "color", "pixel", "orbit"].map((n) => [n, host.get(n)])),
+      ...Object.fromEntries(
+        ["fov_y_deg", "far", "color", "pixel", "orbit"].map((n) => [n, host.get(n)]),
+      ),
       values: JSON.parse(document.querySelector(".explorer").dataset.values),
       text: document.querySelector(".explorer-readout").textContent,
       saves: host.saves,
@@ -52,7 +54,12 @@ async function watch(page, kind) {
   result.scrolled = await page.evaluate(() => scrollY);
 
   result.clicks = [];
-  for (const place of [[0.45, 0.6], [0.6, 0.62], [0.7, 0.4], [0.02, 0.02]]) {
+  for (const place of [
+    [0.45, 0.6],
+    [0.6, 0.62],
+    [0.7, 0.4],
+    [0.02, 0.02],
+  ]) {
     await page.mouse.click(...at(...place));
     await settle();
     result.clicks.push({ place, ...(await report()) });
@@ -77,7 +84,13 @@ async function watch(page, kind) {
   }
 
   result.buttons = {};
-  for (const name of ["zoom in", "zoom out", "view of the camera", "view from above", "view from the side"]) {
+  for (const name of [
+    "zoom in",
+    "zoom out",
+    "view of the camera",
+    "view from above",
+    "view from the side",
+  ]) {
     await page.getByRole("button", { name }).click();
     result.buttons[name] = await report();
     if (name === "view of the camera") await shoot("camera");
@@ -94,7 +107,9 @@ async function watch(page, kind) {
     { far: 1.2, color: 1 },
     { fov_y_deg: 30, far: 0.9, pixel: [330, 215] },
   ]) {
-    await page.evaluate((values) => Object.entries(values).forEach(([n, v]) => host.set(n, v)), setting);
+    await page.evaluate((values) => {
+      for (const [name, value] of Object.entries(values)) host.set(name, value);
+    }, setting);
     await settle();
     result.settings.push(await report());
   }

@@ -4,7 +4,7 @@
 // the build had found no wheels, and the network stands in for the CDN. Prints what was seen.
 
 import { readFileSync } from "node:fs";
-import { main, openPage } from "./_browser.mjs";
+import { main } from "../../tools/browser.mjs";
 import * as ui from "./_exercises.mjs";
 
 const DATA = /(<script type="application\/json" id="exercise-data">)(.*?)(<\/script>)/s;

@@ -3,7 +3,7 @@
 // IMPORTS is a file {good: [file, ...], bad: [file, ...]} of progress files. Prints what was seen.
 
 import { readFileSync } from "node:fs";
-import { NARROW, main, openPage, require } from "./_browser.mjs";
+import { main, NARROW, openPage, require } from "../../tools/browser.mjs";
 import * as ui from "./_exercises.mjs";
 
 const ENDLESS = "while True:\n    pass\n";
@@ -54,7 +54,9 @@ await main(async (browser, site, name, importsFile) => {
   for (const file of [...imports.bad, ...imports.good]) {
     await page.locator('.exercise-bar input[type="file"]').setInputFiles(file);
     const status = page.locator('.exercise-bar [role="status"]');
-    await page.waitForFunction(() => /Imported|no progress/.test(document.querySelector(".exercise-bar p").textContent));
+    await page.waitForFunction(() =>
+      /Imported|no progress/.test(document.querySelector(".exercise-bar p").textContent),
+    );
     seen.imports.push({
       said: await status.textContent(),
       count: await page.locator(".exercise-count").textContent(),
@@ -146,7 +148,8 @@ async function findAxeViolations(page) {
       window.axe.run({ include: [[".exercise"], [".exercise-bar"]] }, { preload: false }),
     );
     for (const { id, impact, nodes } of violations) {
-      if (/serious|critical/.test(impact)) found.push(`${theme}: ${id}: ${nodes[0].html.slice(0, 200)}`);
+      if (/serious|critical/.test(impact))
+        found.push(`${theme}: ${id}: ${nodes[0].html.slice(0, 200)}`);
     }
   }
   return found;

@@ -5,7 +5,7 @@
 // said to the starter, to the reference and to the wrong answer; and what went wrong on the page.
 
 import { readFileSync } from "node:fs";
-import { main, openPage } from "./_browser.mjs";
+import { main, openPage } from "../../tools/browser.mjs";
 import { check, listExercises, setCode } from "./_exercises.mjs";
 
 await main(async (browser, site, name, planFile) => {

@@ -1,7 +1,7 @@
 // node explorers.mjs SITE PAGE...: uses every explorer of the pages as a reader would, with the
 // keyboard, and prints {page: what they said}. test_explorers.py says what is right.
 
-import { close, forEach, main, newPage, openPage, waitForFrames } from "./_browser.mjs";
+import { close, forEach, main, newPage, openPage, waitForFrames } from "../../tools/browser.mjs";
 
 const SPEAK_MS = 1500; // longer than an explorer waits before it speaks
 const CHANGE_MS = 800;
@@ -55,11 +55,12 @@ async function use(page, box) {
 
   for (const handle of await box.locator(".noUi-handle").all()) {
     const label = await handle.getAttribute("aria-label");
-    for (const [step, move] of [
-      ["min", () => press(page, handle, "Home")],
-      ["mid", () => drag(page, handle)],
-      ["max", () => press(page, handle, "End")],
-    ]) {
+    const steps = {
+      min: () => press(page, handle, "Home"),
+      mid: () => drag(page, handle),
+      max: () => press(page, handle, "End"),
+    };
+    for (const [step, move] of Object.entries(steps)) {
       await move();
       await note(label, step);
       moves.at(-1).shown = Number(await handle.getAttribute("aria-valuetext"));

@@ -1,7 +1,7 @@
 // node firefox.mjs SITE PAGE...: opens pages in Firefox, over WebDriver BiDi, and prints
 // {page: what was found}. FIREFOX names the browser.
 
-import { require, WIDGETS } from "./_browser.mjs";
+import { require, WIDGETS } from "../../tools/browser.mjs";
 
 const { default: puppeteer } = await import(require.resolve("puppeteer-core"));
 

@@ -3,8 +3,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { main, openPage, waitForFrames } from "./_browser.mjs";
-
+import { main, openPage, waitForFrames } from "../../tools/browser.mjs";
 
 await main(async (browser, site, name, picturePath) => {
   const { page, complaints } = await openPage(browser, site, name);
@@ -77,7 +76,16 @@ async function turnRing(page) {
     seen[step] = { traits: [traits.hue_from, traits.hue_to], ends, lit };
   };
   await note("start");
-  for (const key of ["ArrowRight", "ArrowUp", "PageUp", "Home", "ArrowLeft", "PageDown", "End", "x"]) {
+  for (const key of [
+    "ArrowRight",
+    "ArrowUp",
+    "PageUp",
+    "Home",
+    "ArrowLeft",
+    "PageDown",
+    "End",
+    "x",
+  ]) {
     await page.getByRole("slider", { name: "hue from, on the ring" }).press(key);
     await note(key);
   }
@@ -114,12 +122,16 @@ async function givePictures(page, buffer) {
   seen.broken = await read(page);
   await press(page, "Back to scene");
   seen.back = await read(page);
-  const transfer = await page.evaluateHandle((bytes) => {
-    const data = new DataTransfer();
-    data.items.add(new File([Uint8Array.from(bytes)], "own.png", { type: "image/png" }));
-    return data;
-  }, [...buffer]);
-  const drop = (type) => page.dispatchEvent(".explorer-hsv-picture", type, { dataTransfer: transfer });
+  const transfer = await page.evaluateHandle(
+    (bytes) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(bytes)], "own.png", { type: "image/png" }));
+      return data;
+    },
+    [...buffer],
+  );
+  const drop = (type) =>
+    page.dispatchEvent(".explorer-hsv-picture", type, { dataTransfer: transfer });
   await drop("dragover");
   seen.dropping = await page.locator(".explorer-hsv-picture.dropping").count();
   await drop("drop");
@@ -179,14 +191,20 @@ async function useCamera(page) {
   seen.late = await read(page);
   seen.tracks = await states();
   seen.videos = await page.locator("video").count();
-  for (const [step, name] of [["denied", "NotAllowedError"], ["strange", "OverconstrainedError"]]) {
+  for (const [step, name] of [
+    ["denied", "NotAllowedError"],
+    ["strange", "OverconstrainedError"],
+  ]) {
     await page.evaluate((error) => {
       navigator.mediaDevices.getUserMedia = () =>
         Promise.reject(new DOMException("no such thing", error));
     }, name);
     await press(page, "Camera");
     await page.locator(".explorer-own [role=status]").filter({ hasText: "camera" }).waitFor();
-    await page.waitForFunction(() => !document.querySelector(".explorer-own [role=status]").textContent.startsWith("Waiting"));
+    await page.waitForFunction(
+      () =>
+        !document.querySelector(".explorer-own [role=status]").textContent.startsWith("Waiting"),
+    );
     seen[step] = await read(page);
   }
   return seen;

@@ -2,7 +2,7 @@
 // the mouse and with the keyboard, and prints what explorer and kernel say. test_jupyterlab.py
 // says what is right.
 
-import { DESKTOP, main } from "./_browser.mjs";
+import { DESKTOP, main } from "../../tools/browser.mjs";
 
 const START_MS = 120_000; // a cold JupyterLab on a busy machine
 const STEP_MS = 60_000;

@@ -4,7 +4,17 @@
 import { promisify } from "node:util";
 import { gzip } from "node:zlib";
 
-import { close, DESKTOP, forEach, loadPictures, main, NARROW, newPage, settle, WIDGETS } from "./_browser.mjs";
+import {
+  close,
+  DESKTOP,
+  forEach,
+  loadPictures,
+  main,
+  NARROW,
+  newPage,
+  settle,
+  WIDGETS,
+} from "../../tools/browser.mjs";
 
 const packed = promisify(gzip);
 const TABS_AT_ONCE = 3; // a page mostly waits

@@ -1,7 +1,7 @@
 // node site.mjs SITE: uses what every page shares - theme switch, search, skip link, print - as
 // a reader would, and prints what happened. test_site.py says what is right.
 
-import { close, main, newPage, openPage, settle } from "./_browser.mjs";
+import { close, main, newPage, openPage, settle } from "../../tools/browser.mjs";
 
 const PAGE = "book/step2_intrinsics";
 const PAGE_WITH_FOLDS = "book/conventions";
@@ -47,7 +47,8 @@ async function search(browser, site) {
   const tab = await openPage(browser, site, PAGE);
   const { page, complaints } = tab;
   const field = page.locator("input[type=search]:visible").first();
-  if (!(await field.count())) await page.click(".search-button__button:visible, .search-button-field:visible");
+  if (!(await field.count()))
+    await page.click(".search-button__button:visible, .search-button-field:visible");
   await field.fill(WORD);
   await Promise.all([page.waitForURL(/search\.html/), field.press("Enter")]);
   await page.waitForSelector("#search-results .search-summary");

@@ -12,7 +12,7 @@ import pytest
 from labutils.checks import check, hint
 from labutils.checks.calls import split_answer
 from labutils.checks.judging import judge
-from labutils.checks.progress import FILE_NAME
+from labutils.checks.progress_rules import FILE_NAME
 from labutils.checks.table import Misfit, load_table
 from labutils.checks.writing import encode
 from solutions import QUALITY_POINTS

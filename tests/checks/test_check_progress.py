@@ -12,7 +12,8 @@ import pytest
 import labutils
 from labutils.__main__ import main
 from labutils.checks import check, hint, report
-from labutils.checks.progress import FILE_NAME, load_progress, save_progress
+from labutils.checks.progress import load_progress, save_progress
+from labutils.checks.progress_rules import FILE_NAME
 from labutils.checks.report import Report
 from labutils.checks.table import read_words
 
@@ -105,7 +106,8 @@ def test_damaged_file_that_cannot_be_moved_is_reported(
         raise OSError("read-only")
 
     monkeypatch.setattr("pathlib.Path.rename", refuse)
-    assert "cannot be read (JSONDecodeError); progress starts anew" in load_progress().notice
+    said = "is no progress file: it is no JSON. It cannot be moved; progress starts anew"
+    assert said in load_progress().notice
 
 
 def test_folder_that_cannot_be_written_is_reported(

@@ -26,18 +26,27 @@ from labutils.explorers.cloud import CloudExplorer, CloudView
 from tests.helpers.node import STATIC, run_node
 from tests.helpers.tolerances import EXACT
 
-#: Makes what `readCloud` in cloud.js makes of a view's traits, from the fixture of `fixture_of`.
+#: Lets the view's own code read the traits of `fixture_of`.
 READ_CLOUD = """
-import { FROM_WORLD, STAY, joinTransforms } from "STATIC/_orbit.js";
+import { readCloud } from "STATIC/_cloud_read.js";
 const bytes = (text) => Uint8Array.from(Buffer.from(text, "base64")).buffer;
-const worldFromCamera = data.T_world_cam.length ? data.T_world_cam.slice(0, 3).flat() : null;
-const orbitFromBase = worldFromCamera ? FROM_WORLD : STAY;
-const cloud = {
-  ...data, steps: new Uint16Array(bytes(data.steps)), rgba32: new Uint32Array(bytes(data.rgba)),
-  palette32: new Uint32Array(256).map((_, i) => i), worldFromCamera,
-  orbitFromCamera: worldFromCamera ? joinTransforms(orbitFromBase, worldFromCamera) : STAY,
-};
+const { traits, width, height } = data;
+traits.palette = new DataView(bytes(data.palette));
+const depth = { width, height, data: new Uint16Array(bytes(data.steps)) };
+const image = { data: new Uint8ClampedArray(bytes(data.rgba)) };
+const cloud = readCloud({ get: (name) => traits[name] }, image, depth);
 """
+#: What of a view the page reads, beside its pictures.
+TRAITS = (
+    "depth_step",
+    "min_depth",
+    "true_K",
+    "true_fov_y_deg",
+    "T_world_cam",
+    "faces",
+    "depth_limits",
+    "height_limits",
+)
 
 
 def show_from(code: str, data: Any) -> list[Any]:
@@ -61,14 +70,9 @@ def fixture_of(view: CloudView) -> dict[str, Any]:
         "height": depth.shape[0],
         "steps": base64.b64encode(steps.tobytes()).decode(),
         "rgba": base64.b64encode(rgba.tobytes()).decode(),
-        "depthStep": view.depth_step,
-        "minDepth": view.min_depth,
-        "trueK": view.true_K,
-        "trueFov": view.true_fov_y_deg,
-        "T_world_cam": view.T_world_cam,
-        "faces": view.faces,
-        "depthLimits": view.depth_limits,
-        "heightLimits": view.height_limits,
+        # red is the place in the table
+        "palette": base64.b64encode(bytes(b for i in range(256) for b in (i, 7, 9))).decode(),
+        "traits": {name: getattr(view, name) for name in TRAITS},
     }
 
 
@@ -156,7 +160,8 @@ def test_transforms_join_as_matrices_do() -> None:
     first[3] = second[3] = [0, 0, 0, 1]
     point = rng.normal(size=3)
     code = """
-    import { FROM_WORLD, joinTransforms, movePoint } from "STATIC/_orbit.js";
+    import { joinTransforms, movePoint } from "STATIC/_orbit.js";
+    import { FROM_WORLD } from "STATIC/_shared.js";
     show([joinTransforms(data.first, data.second), movePoint(data.first, data.point), FROM_WORLD]);
     """
     data = {
@@ -254,7 +259,7 @@ def test_colors_follow_depth_and_height(explorer: CloudExplorer) -> None:
     show([0, 1, 2].map((mode) => {
       const out = new Uint32Array(cloud.steps.length);
       colorPoints(cloud, data.K, mode, out);
-      return [...out];
+      return [...out].map((color) => (mode ? color & 255 : color));
     }));
     """
     )

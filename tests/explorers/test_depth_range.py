@@ -188,8 +188,7 @@ def test_the_page_paints_and_counts_the_same(
         const { decodePng } = await load("_png");
         const { data, width } = await decodePng(new Uint8Array(given.png));
         const [range, step] = [given.range, given.step];
-        const toSteps = (two) => two.map((one) => m.toStep(one, step));
-        const [rangeSteps, valid] = [toSteps(range), toSteps(given.valid)];
+        const [rangeSteps, valid] = [m.toSteps(range, step), m.toSteps(given.valid, step)];
         const table = m.readTable(given.tables, given.from);
         const [palette, out] = [new Uint32Array(m.LEVELS), new Uint32Array(data.length)];
         m.paintDepth(data, width, { table, range, rangeSteps, valid, step }, palette, out);

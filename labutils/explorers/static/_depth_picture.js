@@ -2,35 +2,58 @@
 // Mirrors labutils.explorers._depth_picture.
 
 import { metricToRaw } from "./_depth.js";
+import { FARTHER, INSIDE, NEARER, NO_SURFACE, STRIPES } from "./_shared.js";
 
 export const LEVELS = 65536;
-export const [NEARER, INSIDE, FARTHER, NO_SURFACE] = [0, 1, 2, 3];
 const BLACK = 0xff000000;
-// stripes are in no color map; each kind leans its own way, so they differ without color as well
-const STRIPES = [];
-STRIPES[NEARER] = [0xffffffff, 0xff8c3cd6];
-STRIPES[FARTHER] = [0xffc8c8c8, 0xff8c8c8c];
 
-/** The step that holds a number of meters. */
+/**
+ * The step that holds a number of meters.
+ * @param {number} meters
+ * @param {number} step
+ */
 export function toStep(meters, step) {
   return Math.floor(meters / step + 0.5);
 }
 
-/** Which kind of pixel holds this many steps; `valid` and `range` are limits in steps. */
+/**
+ * The steps that hold two limits in meters.
+ * @param {Pair} limits
+ * @param {number} step
+ * @returns {Pair}
+ */
+export function toSteps([low, high], step) {
+  return [toStep(low, step), toStep(high, step)];
+}
+
+/**
+ * Which kind of pixel holds this many steps; `valid` and `range` are limits in steps.
+ * @param {number} steps
+ * @param {Pair} range
+ * @param {Pair} valid
+ */
 export function findKind(steps, range, valid) {
   if (!(steps > valid[0] && steps < valid[1])) return NO_SURFACE;
   if (steps < range[0]) return NEARER;
   return steps > range[1] ? FARTHER : INSIDE;
 }
 
-/** How many pixels hold each number of steps. */
+/**
+ * How many pixels hold each number of steps.
+ * @param {ArrayLike<number> & Iterable<number>} pixels
+ */
 export function countSteps(pixels) {
   const counts = new Uint32Array(LEVELS);
   for (const steps of pixels) counts[steps] += 1;
   return counts;
 }
 
-/** How many pixels are of each kind. */
+/**
+ * How many pixels are of each kind.
+ * @param {ArrayLike<number>} counts
+ * @param {Pair} range
+ * @param {Pair} valid
+ */
 export function countKinds(counts, range, valid) {
   const kinds = [0, 0, 0, 0];
   for (let steps = 0; steps < LEVELS; steps++) {
@@ -39,7 +62,15 @@ export function countKinds(counts, range, valid) {
   return kinds;
 }
 
-/** Counts per bin of depth, from 0 to `upper` meters: surfaces only. */
+/**
+ * Counts per bin of depth, from 0 to `upper` meters: surfaces only.
+ * @param {ArrayLike<number>} counts
+ * @param {number} bins
+ * @param {number} upper
+ * @param {number} step
+ * @param {Pair} valid
+ * @returns {number[]}
+ */
 export function binMetric(counts, bins, upper, step, valid) {
   const end = toStep(upper, step);
   const found = new Array(bins).fill(0);
@@ -49,7 +80,15 @@ export function binMetric(counts, bins, upper, step, valid) {
   return found;
 }
 
-/** Counts per bin of raw value, from 0 to 1: surfaces only. */
+/**
+ * Counts per bin of raw value, from 0 to 1: surfaces only.
+ * @param {ArrayLike<number>} counts
+ * @param {number} bins
+ * @param {number} step
+ * @param {Pair} valid
+ * @param {Pair} clip
+ * @returns {number[]}
+ */
 export function binRaw(counts, bins, step, valid, [near, far]) {
   const found = new Array(bins).fill(0);
   for (let steps = valid[0] + 1; steps < valid[1]; steps++) {
@@ -60,7 +99,11 @@ export function binRaw(counts, bins, step, valid, [near, far]) {
   return found;
 }
 
-/** Turn 256 RGB colors, starting at byte `from`, into what `paintDepth` writes. */
+/**
+ * Turn 256 RGB colors, starting at byte `from`, into what `paintDepth` writes.
+ * @param {ArrayLike<number>} bytes
+ * @param {number} from
+ */
 export function readTable(bytes, from) {
   const colors = new Uint32Array(256);
   for (let i = 0, at = from; i < 256; i++, at += 3) {
@@ -69,19 +112,37 @@ export function readTable(bytes, from) {
   return colors;
 }
 
-/** Place in the color table, 0 to 255, as in labutils.visualize_depth when `near` is 0. */
+/**
+ * Place in the color table, 0 to 255, as in labutils.visualize_depth when `near` is 0.
+ * @param {number} meters
+ * @param {number} near
+ * @param {number} far
+ */
 export function findColor(meters, near, far) {
   const share = far > near ? (meters - near) / (far - near) : 0;
   return Math.floor(Math.min(1, Math.max(0, share)) * 255);
 }
 
-/** Color of a stripe: kind of pixel, then its column and row. */
+/**
+ * Color of a stripe: kind of pixel, then its column and row. Each kind leans its own way, so they
+ * differ without color as well.
+ * @param {number} kind
+ * @param {number} u
+ * @param {number} v
+ */
 export function findStripe(kind, u, v) {
   const across = kind === NEARER ? u + v : u - v;
   return STRIPES[kind][(across >> 3) & 1];
 }
 
-/** Paint every pixel into `out`, one 32-bit color each; `palette` is room for `LEVELS` colors. */
+/**
+ * Paint every pixel into `out`, one 32-bit color each; `palette` is room for `LEVELS` colors.
+ * @param {ArrayLike<number>} pixels
+ * @param {number} width
+ * @param {DepthLook} look
+ * @param {Uint32Array} palette
+ * @param {Uint32Array} out
+ */
 export function paintDepth(pixels, width, { table, range, rangeSteps, valid, step }, palette, out) {
   const [low, high] = rangeSteps;
   const [first, last] = [Math.max(low, valid[0] + 1), Math.min(high, valid[1] - 1)];

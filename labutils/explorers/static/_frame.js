@@ -2,10 +2,15 @@
 
 const SPEAK_AFTER_MS = 700; // a screen reader hears the value one stops at, not all in between
 
-/** Make a view, as anywidget wants it, of what fills its frame; what goes wrong stands in it. */
+/**
+ * Make a view, as anywidget wants it, of what fills its frame; what goes wrong stands in it.
+ * @template {Model<ViewTraits<any>>} M
+ * @param {string} name
+ * @param {(model: M, frame: Frame) => void | Promise<void>} start
+ */
 export function defineView(name, start) {
   return {
-    async render({ model, el }) {
+    async render(/** @type {{ model: M, el: HTMLElement }} */ { model, el }) {
       const frame = makeFrame({ model, el }, name);
       try {
         await start(model, frame);
@@ -17,7 +22,12 @@ export function defineView(name, start) {
   };
 }
 
-/** Build the frame of an explorer inside `el`. */
+/**
+ * Build the frame of an explorer inside `el`.
+ * @param {{ model: Model<ViewTraits<any>>, el: HTMLElement }} place
+ * @param {string} name
+ * @returns {Frame}
+ */
 function makeFrame({ model, el }, name) {
   const root = make("div", "explorer", el);
   root.dataset.explorer = name;
@@ -34,7 +44,8 @@ function makeFrame({ model, el }, name) {
   reset.type = "button";
   reset.textContent = "Reset";
   reset.addEventListener("click", () => setTraits(model, model.get("start")));
-  let timer = 0;
+  /** @type {ReturnType<typeof setTimeout>} */
+  let timer;
   let heard = ""; // the first value is on the page already: nobody asked to hear it
   const cleanups = [() => clearTimeout(timer), nameControls(el)];
   return {
@@ -45,7 +56,8 @@ function makeFrame({ model, el }, name) {
     /** Tell the result: in words, and as values that a test reads. */
     tell(text, values) {
       if (readout.textContent !== text) readout.textContent = text;
-      const parameters = Object.keys(model.get("start")).map((one) => [one, model.get(one)]);
+      const names = /** @type {(keyof ViewTraits<any>)[]} */ (Object.keys(model.get("start")));
+      const parameters = names.map((one) => [one, model.get(one)]);
       root.dataset.parameters = JSON.stringify(Object.fromEntries(parameters));
       root.dataset.values = JSON.stringify(values);
       root.dataset.state = "ready";
@@ -58,7 +70,7 @@ function makeFrame({ model, el }, name) {
     /** Say why there is no picture. */
     fail(error) {
       root.dataset.state = "failed";
-      readout.textContent = `This explorer cannot be drawn: ${error.message}`;
+      readout.textContent = `This explorer cannot be drawn: ${toError(error).message}`;
     },
     destroy() {
       for (const cleanup of cleanups) cleanup();
@@ -67,8 +79,15 @@ function makeFrame({ model, el }, name) {
   };
 }
 
-/** Draw now and after every change of a trait, at most once per frame of the screen. */
-export function drawOnChange(model, frame, names, draw) {
+/**
+ * Draw now and after every change of a parameter, at most once per frame of the screen. Returns
+ * what asks for another drawing.
+ * @param {Model<ViewTraits<any>>} model
+ * @param {Frame} frame
+ * @param {() => void} draw
+ */
+export function drawOnChange(model, frame, draw) {
+  const names = Object.keys(model.get("start"));
   let queued = 0;
   const drawTimed = () => {
     queued = 0;
@@ -76,7 +95,9 @@ export function drawOnChange(model, frame, names, draw) {
     draw();
     frame.root.dataset.drawMs = (performance.now() - started).toFixed(2);
   };
-  const later = () => (queued ||= requestAnimationFrame(drawTimed));
+  const later = () => {
+    queued ||= requestAnimationFrame(drawTimed);
+  };
   for (const one of names) model.on(`change:${one}`, later);
   frame.cleanups.push(() => {
     cancelAnimationFrame(queued);
@@ -86,13 +107,24 @@ export function drawOnChange(model, frame, names, draw) {
   return later;
 }
 
-/** Set several traits, and let the kernel know where there is one. */
+/**
+ * Set several traits, and let the kernel know where there is one.
+ * @template Traits
+ * @param {Model<Traits>} model
+ * @param {Partial<Traits>} values
+ */
 export function setTraits(model, values) {
-  for (const [name, value] of Object.entries(values)) model.set(name, value);
+  for (const name in values) model.set(name, /** @type {any} */ (values[name]));
   model.save_changes();
 }
 
-/** Make an element inside another. */
+/**
+ * Make an element inside another.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {string} className
+ * @param {Element} [parent]
+ */
 export function make(tag, className, parent) {
   const element = document.createElement(tag);
   if (className) element.className = className;
@@ -100,7 +132,13 @@ export function make(tag, className, parent) {
   return element;
 }
 
-/** Make a canvas of a size in pixels; it says in words what it shows. */
+/**
+ * Make a canvas of a size in pixels; it says in words what it shows.
+ * @param {Element} parent
+ * @param {number} width
+ * @param {number} height
+ * @param {string} label
+ */
 export function makeCanvas(parent, width, height, label) {
   const canvas = make("canvas", "explorer-canvas", parent);
   canvas.width = width;
@@ -110,8 +148,25 @@ export function makeCanvas(parent, width, height, label) {
   return canvas;
 }
 
+/**
+ * Get what draws on a canvas; every browser has it, unless too many are in use.
+ * @param {HTMLCanvasElement} canvas
+ * @param {CanvasRenderingContext2DSettings} [settings]
+ */
+export function getContext(canvas, settings) {
+  const context = canvas.getContext("2d", settings);
+  if (!context) throw new Error("the browser has no canvas left");
+  return context;
+}
+
+/** What was thrown, as an error: anything can be thrown. */
+export function toError(/** @type {unknown} */ thrown) {
+  return thrown instanceof Error ? thrown : new Error(String(thrown));
+}
+
 /** Name the handles of the sliders beside the view; ipywidgets leaves them without a name. */
-function nameControls(el) {
+function nameControls(/** @type {HTMLElement} */ el) {
+  /** @type {MutationObserver | undefined} */
   let observer;
   let waiting = requestAnimationFrame(function start() {
     const box = el.closest(".explorer-box");
@@ -132,8 +187,9 @@ function nameControls(el) {
   };
 }
 
-function nameAll(box) {
+function nameAll(/** @type {Element} */ box) {
   for (const control of box.querySelectorAll(".explorer-controls > *")) {
+    /** @type {HTMLElement | null} */
     const label = control.querySelector(".widget-label");
     const name = label?.textContent ?? "";
     if (label?.title === "null") label.removeAttribute("title");
@@ -157,7 +213,12 @@ function nameAll(box) {
   }
 }
 
-/** Set an attribute only where it differs, so that the observer is not woken by its own work. */
+/**
+ * Set an attribute only where it differs, so that the observer is not woken by its own work.
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ */
 function setOnce(element, name, value) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }

@@ -1,15 +1,19 @@
 // The picture with what is not selected dimmed, or the mask, or the picture alone.
 
+import { getContext } from "./_frame.js";
 import { toImageData } from "./_png.js";
+import { DIM, MASK, PICTURE } from "./_shared.js";
 
-const [MASK, PICTURE] = [1, 2]; // as in HsvView.shown; 0 is the overlay
-const DIM = 0.4;
 const ARM = 14; // of the cross, in pixels
 
-/** Prepare a canvas for a picture: { width, height, channels, data }. */
+/**
+ * Prepare a canvas for a picture: { width, height, channels, data }.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Picture} picture
+ */
 export function makeOverlay(canvas, picture) {
   const { width, height } = Object.assign(canvas, { width: picture.width, height: picture.height });
-  const context = canvas.getContext("2d");
+  const context = getContext(canvas);
   const image = toImageData(picture);
   // four bytes at a time: pixels are copied, never looked into
   const out = new Uint32Array(image.data.buffer);
@@ -19,6 +23,7 @@ export function makeOverlay(canvas, picture) {
 
   // where they differ; a mask of noise would make a condition per pixel slow
   const change = bright.map((pixel, i) => pixel ^ dim[i]);
+  /** @param {Uint8Array} mask */
   const fillOverlay = (mask) => {
     for (let y = 0, i = 0, at = width + 3; y < height; y++, at += 2) {
       for (let x = 0; x < width; x++, i++, at++) {
@@ -26,13 +31,19 @@ export function makeOverlay(canvas, picture) {
       }
     }
   };
+  /** @param {Uint8Array} mask */
   const fillMask = (mask) => {
     for (let y = 0, i = 0, at = width + 3; y < height; y++, at += 2) {
       for (let x = 0; x < width; x++, i++, at++) out[i] = mask[at] ? white : black;
     }
   };
   return {
-    /** Draw with a mask that has a rim one pixel wide, and a cross at the centroid, if any. */
+    /**
+     * Draw with a mask that has a rim one pixel wide, and a cross at the centroid, if any.
+     * @param {Uint8Array} mask
+     * @param {number} shown
+     * @param {Pair | null} centroid
+     */
     draw(mask, shown, centroid) {
       if (shown === MASK) fillMask(mask);
       else if (shown === PICTURE) out.set(bright);
@@ -43,7 +54,10 @@ export function makeOverlay(canvas, picture) {
   };
 }
 
-/** Make a picture gray and dark, so that colors are left only where something is selected. */
+/**
+ * Make a picture gray and dark, so that colors are left only where something is selected.
+ * @param {Uint8ClampedArray} rgba
+ */
 function dimBytes(rgba) {
   const dim = new Uint8Array(rgba.length);
   for (let i = 0; i < rgba.length; i += 4) {
@@ -54,10 +68,18 @@ function dimBytes(rgba) {
   return dim;
 }
 
-/** White on black: one of the two stands out from anything. */
+const BLACK_BELOW = { color: "#000", width: 7 };
+const WHITE_ABOVE = { color: "#fff", width: 3 };
+
+/**
+ * White on black: one of the two stands out from anything.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ */
 function drawCross(context, x, y) {
   context.lineCap = "round";
-  for (const [color, width] of [["#000", 7], ["#fff", 3]]) {
+  for (const { color, width } of [BLACK_BELOW, WHITE_ABOVE]) {
     context.strokeStyle = color;
     context.lineWidth = width;
     context.beginPath();

@@ -1,15 +1,20 @@
 // The reader's own picture: from a file, dropped, pasted, or from the camera. It is read in this
 // page and kept in this page: nothing here sends, and no trait holds it.
 
-import { make } from "./_frame.js";
+import { getContext, make } from "./_frame.js";
 import { openWebcam } from "./_webcam.js";
 
 /**
  * Add the buttons below the frame. `show` gets a picture, at most of `size`, or null for the scene's;
  * `place` is where the camera shows what it sees.
+ * @param {OwnPictureParts} parts
  */
 export function acceptPictures({ frame, place, size, show }) {
   const bar = make("div", "explorer-own", frame.root);
+  /**
+   * @param {string} text
+   * @param {() => void} act
+   */
   const addButton = (text, act) => {
     const button = make("button", "explorer-button", bar);
     button.type = "button";
@@ -38,17 +43,19 @@ export function acceptPictures({ frame, place, size, show }) {
     "Your picture stays on this page. You may also drop or paste one.";
   const message = make("p", "explorer-own-note", bar);
   message.setAttribute("role", "status");
-  const say = (text) => (message.textContent = text);
+  const say = (/** @type {string} */ text) => {
+    message.textContent = text;
+  };
 
   let own = false;
   let latest = 0; // a large file may be ready after a small one that was opened later
-  const accept = (source) => {
+  const accept = (/** @type {HTMLVideoElement | ImageBitmap} */ source) => {
     show(shrinkPicture(source, size));
     say("This is your picture.");
     own = true;
     back.hidden = false;
   };
-  const read = async (file) => {
+  const read = async (/** @type {File} */ file) => {
     webcam.stop();
     const mine = ++latest;
     const bitmap = await createImageBitmap(file).catch(() => null);
@@ -65,18 +72,18 @@ export function acceptPictures({ frame, place, size, show }) {
       accept(video);
     },
     onChange(running) {
-      const active = document.activeElement;
+      const active = /** @type {HTMLElement | null} */ (document.activeElement);
       choose.hidden = running;
       camera.hidden = running || !navigator.mediaDevices?.getUserMedia;
       take.hidden = cancel.hidden = !running;
       back.hidden = running || !own;
       // a button that vanishes would take the focus with it
-      if (bar.contains(active) && active.hidden) (running ? take : camera).focus();
+      if (active?.hidden && bar.contains(active)) (running ? take : camera).focus();
     },
   });
 
   chooser.addEventListener("change", () => {
-    if (chooser.files.length) read(chooser.files[0]);
+    if (chooser.files?.length) read(chooser.files[0]);
     chooser.value = ""; // so that the same file may be opened again
   });
   frame.root.addEventListener("paste", (event) => {
@@ -92,25 +99,31 @@ export function acceptPictures({ frame, place, size, show }) {
   });
 }
 
+/** @param {DataTransfer | null} transfer */
 function findPicture(transfer) {
   return [...(transfer?.files ?? [])].find((file) => file.type.startsWith("image/"));
 }
 
-/** Read a file dropped anywhere on `target`: beside it the browser would open the file instead. */
+/**
+ * Read a file dropped anywhere on `target`: beside it the browser would open the file instead.
+ * @param {HTMLElement} target
+ * @param {HTMLElement} place
+ * @param {(file: File) => void} read
+ */
 function dropOn(target, place, read) {
-  const light = (on) => place.classList.toggle("dropping", on);
+  const light = (/** @type {boolean} */ on) => place.classList.toggle("dropping", on);
   target.addEventListener("dragover", (event) => {
-    if (!event.dataTransfer.types.includes("Files")) return;
+    if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     event.dataTransfer.dropEffect = "copy";
     light(true);
   });
   target.addEventListener("dragleave", (event) => {
-    if (!target.contains(event.relatedTarget)) light(false);
+    if (!target.contains(/** @type {Node | null} */ (event.relatedTarget))) light(false);
   });
   target.addEventListener("drop", (event) => {
     light(false);
-    const file = findPicture(event.dataTransfer) ?? event.dataTransfer.files[0];
+    const file = findPicture(event.dataTransfer) ?? event.dataTransfer?.files[0];
     if (!file) return;
     event.preventDefault();
     event.stopPropagation();
@@ -118,14 +131,22 @@ function dropOn(target, place, read) {
   });
 }
 
-/** Draw a picture or a frame of a video, made to fit `size`; transparent pixels become white. */
+/**
+ * Draw a picture or a frame of a video, made to fit `size`; transparent pixels become white.
+ * @param {HTMLVideoElement | ImageBitmap} source
+ * @param {{ width: number, height: number }} size
+ * @returns {Picture}
+ */
 function shrinkPicture(source, size) {
-  const [fullWidth, fullHeight] = [source.videoWidth ?? source.width, source.videoHeight ?? source.height];
+  const [fullWidth, fullHeight] =
+    "videoWidth" in source
+      ? [source.videoWidth, source.videoHeight]
+      : [source.width, source.height];
   const scale = Math.min(1, size.width / fullWidth, size.height / fullHeight);
   const width = Math.max(1, Math.round(fullWidth * scale));
   const height = Math.max(1, Math.round(fullHeight * scale));
   const canvas = Object.assign(document.createElement("canvas"), { width, height });
-  const context = canvas.getContext("2d", { willReadFrequently: true });
+  const context = getContext(canvas, { willReadFrequently: true });
   context.fillStyle = "#fff";
   context.fillRect(0, 0, width, height);
   context.imageSmoothingQuality = "high";

@@ -2,14 +2,20 @@
 
 import { make, setTraits } from "./_frame.js";
 
+/** @type {Record<string, Pair>} */
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const LEAP = 10; // pixels per key press with Shift
 
 /**
- * Let the reader choose a pixel of `canvas`; the trait `name` holds [u, v], or [] for none.
- * Shift makes the arrow keys ten times as fast. Returns the function that moves the mark.
+ * Let the reader choose a pixel of `canvas`; the trait `pixel` holds [u, v], or [] for none.
+ * Shift makes the arrow keys ten times as fast. Returns the element around the canvas.
+ * @param {object} parts
+ * @param {Model<Picked>} parts.model
+ * @param {Frame} parts.frame
+ * @param {HTMLCanvasElement} parts.canvas
+ * @param {string} parts.label
  */
-export function makePicker({ model, frame, canvas, name = "pixel", label }) {
+export function makePicker({ model, frame, canvas, label }) {
   const holder = make("div", "explorer-picker");
   canvas.replaceWith(holder);
   holder.append(canvas);
@@ -17,13 +23,17 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "application"); // arrow keys are for the page, not the screen reader
   canvas.setAttribute("aria-roledescription", "pixel picker");
-  canvas.setAttribute("aria-label", `${label}. Arrow keys choose a pixel, with Shift in steps of ten`);
+  canvas.setAttribute(
+    "aria-label",
+    `${label}. Arrow keys choose a pixel, with Shift in steps of ten`,
+  );
 
-  const choose = (u, v) => {
-    const clamp = (value, size) => Math.min(size - 1, Math.max(0, Math.round(value)));
-    setTraits(model, { [name]: [clamp(u, canvas.width), clamp(v, canvas.height)] });
+  const choose = (/** @type {number} */ u, /** @type {number} */ v) => {
+    const clamp = (/** @type {number} */ value, /** @type {number} */ size) =>
+      Math.min(size - 1, Math.max(0, Math.round(value)));
+    setTraits(model, { pixel: [clamp(u, canvas.width), clamp(v, canvas.height)] });
   };
-  const fromPointer = (event) => {
+  const fromPointer = (/** @type {PointerEvent} */ event) => {
     const box = canvas.getBoundingClientRect();
     // a pixel's number names its center, so half a pixel lies to its left
     choose(
@@ -42,7 +52,7 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
   canvas.addEventListener("keydown", (event) => {
     const step = KEYS[event.key];
     if (!step) return;
-    const picked = model.get(name);
+    const picked = model.get("pixel");
     const [u, v] = picked.length ? picked : [canvas.width >> 1, canvas.height >> 1];
     const pace = event.shiftKey ? LEAP : 1;
     choose(u + step[0] * pace, v + step[1] * pace);
@@ -50,13 +60,13 @@ export function makePicker({ model, frame, canvas, name = "pixel", label }) {
     event.stopPropagation(); // in JupyterLab the arrows would move to another cell
   });
   const place = () => {
-    const [u, v] = model.get(name);
+    const [u, v] = model.get("pixel");
     mark.hidden = u === undefined;
     mark.style.left = `${((u + 0.5) / canvas.width) * 100}%`;
     mark.style.top = `${((v + 0.5) / canvas.height) * 100}%`;
   };
-  model.on(`change:${name}`, place);
-  frame.cleanups.push(() => model.off(`change:${name}`, place));
+  model.on("change:pixel", place);
+  frame.cleanups.push(() => model.off("change:pixel", place));
   place();
-  return choose;
+  return holder;
 }

@@ -2,45 +2,49 @@
 // can be read there, so wide ones are two beside each other and not one with small text.
 
 import { make } from "./_frame.js";
+import { addShape } from "./_shapes.js";
 
-const SVG_SPACE = "http://www.w3.org/2000/svg";
 export const PLOT_WIDTH = 320;
 
-/** Make an SVG element inside another. */
-export function addShape(parent, tag, attributes = {}, text = "") {
-  const element = document.createElementNS(SVG_SPACE, tag);
-  setShape(element, attributes);
-  if (text) element.textContent = text;
-  parent.append(element);
-  return element;
-}
-
-/** Set attributes of an SVG element. */
-export function setShape(element, attributes) {
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-}
-
-/** Make an empty drawing that says in words what it shows. */
+/**
+ * Make an empty drawing that says in words what it shows.
+ * @param {Element} parent
+ * @param {number} height
+ */
 export function makeDrawing(parent, height) {
   const figure = make("div", "explorer-plot", parent);
   return addShape(figure, "svg", { viewBox: `0 0 ${PLOT_WIDTH} ${height}`, role: "img" });
 }
 
-/** Make the part of a drawing outside which nothing is drawn; it has the drawing's coordinates. */
+/**
+ * Make the part of a drawing outside which nothing is drawn; it has the drawing's coordinates.
+ * @param {Element} svg
+ * @param {Area} area
+ */
 export function addWindow(svg, { left, top, right, bottom }) {
   const [width, height] = [right - left, bottom - top];
   const viewBox = `${left} ${top} ${width} ${height}`;
   return addShape(svg, "svg", { x: left, y: top, width, height, viewBox, overflow: "hidden" });
 }
 
-/** Make a function from values to places; the logarithmic one takes values above 0. */
+/**
+ * Make a function from values to places; the logarithmic one takes values above 0.
+ * @param {Pair} limits
+ * @param {Pair} places
+ * @param {boolean} log
+ */
 export function makeScale([low, high], [from, to], log = false) {
   const warp = log ? Math.log10 : Number;
   const slope = (to - from) / (warp(high) - warp(low));
-  return (value) => from + slope * (warp(value) - warp(low));
+  return (/** @type {number} */ value) => from + slope * (warp(value) - warp(low));
 }
 
-/** Round values for the ticks of an axis: at most `most` steps of 1, 2 or 5 times a power of ten. */
+/**
+ * Round values for the ticks of an axis: at most `most` steps of 1, 2 or 5 times a power of ten.
+ * @param {Pair} limits
+ * @param {number} most
+ * @param {boolean} log
+ */
 export function chooseTicks([low, high], most = 5, log = false) {
   const ticks = [];
   if (log) {
@@ -50,14 +54,17 @@ export function chooseTicks([low, high], most = 5, log = false) {
   }
   const rough = (high - low) / most;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((one) => one * power >= rough * (1 - 1e-9));
+  const step = power * ([1, 2, 5].find((one) => one * power >= rough * (1 - 1e-9)) ?? 10);
   for (let n = Math.ceil(low / step - 1e-9); n * step <= high + step * 1e-9; n++) {
     ticks.push(Number((n * step).toPrecision(9)));
   }
   return ticks;
 }
 
-/** The text of SVG's path through points. */
+/**
+ * The text of SVG's path through points.
+ * @param {Pair[]} points
+ */
 export function toPath(points) {
   return points.map(([x, y], i) => `${i ? "L" : "M"}${x.toFixed(2)} ${y.toFixed(2)}`).join("");
 }
@@ -65,6 +72,9 @@ export function toPath(points) {
 /**
  * Make axes; `x` and `y` have a label, and may have log and format. `setLimits` draws the ticks
  * where the limits have changed; then `plot.x` and `plot.y` turn values into places.
+ * @param {Element} parent
+ * @param {{ height?: number, left?: number, x: Axis, y: Axis }} options
+ * @returns {Plot}
  */
 export function makePlot(parent, { height = 200, left = 44, x, y }) {
   const svg = makeDrawing(parent, height);
@@ -76,8 +86,12 @@ export function makePlot(parent, { height = 200, left = 44, x, y }) {
   const under = { x: (area.left + area.right) / 2, y: height - 6, "text-anchor": "middle" };
   addShape(svg, "text", under, x.label);
   let drawn = "";
-  const plot = { svg, area, inside, above, x: null, y: null };
-  plot.setLimits = (xLimits, yLimits) => {
+  /** @type {Plot} */
+  const plot = { svg, area, inside, above, x: Number, y: Number, setLimits };
+  return plot;
+
+  /** @type {Plot["setLimits"]} */
+  function setLimits(xLimits, yLimits) {
     if (drawn === `${xLimits};${yLimits}`) return false;
     drawn = `${xLimits};${yLimits}`;
     plot.x = makeScale(xLimits, [area.left, area.right], x.log);
@@ -97,6 +111,5 @@ export function makePlot(parent, { height = 200, left = 44, x, y }) {
     }
     addShape(ground, "path", { d: `M${area.left} ${area.bottom}H${area.right}`, class: "axis" });
     return true;
-  };
-  return plot;
+  }
 }

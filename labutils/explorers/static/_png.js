@@ -2,9 +2,14 @@
 // the browser may add noise to what is read back from it.
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
+/** @type {Record<number, number>} */
 const CHANNELS = { 0: 1, 2: 3, 4: 2, 6: 4 }; // color type: values per pixel
 
-/** Decode bytes (a DataView or Uint8Array): gray or color, 8 or 16 bits, not interlaced. */
+/**
+ * Decode bytes (a DataView or Uint8Array): gray or color, 8 or 16 bits, not interlaced.
+ * @param {ArrayBufferView<ArrayBuffer>} bytes
+ * @returns {Promise<Picture>}
+ */
 export async function decodePng(bytes) {
   const data = new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (SIGNATURE.some((value, place) => data[place] !== value)) throw new Error("this is no PNG");
@@ -14,6 +19,7 @@ export async function decodePng(bytes) {
   if (!(type in CHANNELS) || ![8, 16].includes(bits) || interlaced) {
     throw new Error(`PNG of color type ${type} with ${bits} bits is not supported`);
   }
+  /** @type {Uint8Array<ArrayBuffer>[]} */
   const parts = [];
   for (let at = 8; at < data.length; ) {
     const length = view.getUint32(at);
@@ -27,12 +33,19 @@ export async function decodePng(bytes) {
   return { width, height, channels, data: bits === 8 ? raw : joinBytes(raw) };
 }
 
+/** @param {Uint8Array<ArrayBuffer>[]} parts */
 async function inflate(parts) {
   const stream = new Blob(parts).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** PNG specification, section 9: each row says how it was predicted. */
+/**
+ * PNG specification, section 9: each row says how it was predicted.
+ * @param {Uint8Array} packed
+ * @param {number} height
+ * @param {number} stride
+ * @param {number} step
+ */
 function undoFilters(packed, height, stride, step) {
   const out = new Uint8Array(height * stride);
   for (let row = 0, from = 0, to = 0; row < height; row++, to += stride) {
@@ -52,6 +65,11 @@ function undoFilters(packed, height, stride, step) {
   return out;
 }
 
+/**
+ * @param {number} left
+ * @param {number} up
+ * @param {number} corner
+ */
 function paeth(left, up, corner) {
   const guess = left + up - corner;
   const [a, b, c] = [Math.abs(guess - left), Math.abs(guess - up), Math.abs(guess - corner)];
@@ -59,13 +77,17 @@ function paeth(left, up, corner) {
   return b <= c ? up : corner;
 }
 
+/** @param {Uint8Array} raw */
 function joinBytes(raw) {
   const out = new Uint16Array(raw.length / 2);
   for (let i = 0; i < out.length; i++) out[i] = (raw[2 * i] << 8) | raw[2 * i + 1];
   return out;
 }
 
-/** Turn RGB values into what a canvas takes. */
+/**
+ * Turn RGB values into what a canvas takes.
+ * @param {Picture} picture
+ */
 export function toImageData({ width, height, channels, data }) {
   const image = new ImageData(width, height);
   for (let i = 0, j = 0; j < image.data.length; i += channels, j += 4) {

@@ -8,7 +8,11 @@ const STEP_X = [1, 1, 0, -1, -1, -1, 0, 1];
 const STEP_Y = [0, 1, 1, 1, 0, -1, -1, -1];
 const TO_THE_LEFT = 4;
 
-/** Make the search for masks of a size; it takes them as bits, see markRange. */
+/**
+ * Make the search for masks of a size; it takes them as bits, see markRange.
+ * @param {number} width
+ * @param {number} height
+ */
 export function makeRegionFinder(width, height) {
   const stride = width + 2; // a rim of background saves every check for the border
   const cells = new Uint8Array(stride * (height + 2));
@@ -19,7 +23,10 @@ export function makeRegionFinder(width, height) {
   return {
     /** The mask, a byte per pixel, with a rim one pixel wide: not zero is inside. */
     cells,
-    /** Read a mask; returns how many pixels are inside. */
+    /**
+     * Read a mask; returns how many pixels are inside.
+     * @param {Uint32Array} bits
+     */
     load(bits) {
       let count = 0;
       for (let y = 1, word = 0; y <= height; y++) {
@@ -35,7 +42,10 @@ export function makeRegionFinder(width, height) {
       }
       return count;
     },
-    /** The centroid [x, y] of the largest region of the mask read last, or null. Call it once. */
+    /**
+     * The centroid [x, y] of the largest region of the mask read last, or null. Call it once.
+     * @returns {Pair | null}
+     */
     findCentroid() {
       best.area = 0;
       for (let y = 1; y <= height; y++) {
@@ -51,13 +61,21 @@ export function makeRegionFinder(width, height) {
         }
       }
       if (!best.area) return null; // nothing, or only lines and dots
+      /** @param {number} moment */
       const divide = (moment) => Math.floor(moment / (3 * best.area));
       return [divide(best.alongX), divide(best.alongY)];
     },
   };
 }
 
-/** Follow the outline whose first pixel in reading order is `start`: mark it, and sum it up. */
+/**
+ * Follow the outline whose first pixel in reading order is `start`: mark it, and sum it up.
+ * @param {Uint8Array} cells
+ * @param {number[]} steps
+ * @param {number} start
+ * @param {number} stride
+ * @param {Sums} sums
+ */
 function followOutline(cells, steps, start, stride, sums) {
   sums.area = 0;
   let turn = TO_THE_LEFT;

@@ -5,7 +5,10 @@ import { findExcluding, markRange, rgbToHsv } from "./_color.js";
 import { countWords, makeMorphology } from "./_morphology.js";
 import { makeRegionFinder } from "./_regions.js";
 
-/** Prepare a picture: { width, height, channels, data }, red first, a byte per value. */
+/**
+ * Prepare a picture: { width, height, channels, data }, red first, a byte per value.
+ * @param {Picture} picture
+ */
 export function makeSegmenter({ width, height, channels, data }) {
   const planes = rgbToHsv(data, width * height, channels);
   const bits = new Uint32Array(countWords(width) * height);
@@ -17,7 +20,12 @@ export function makeSegmenter({ width, height, channels, data }) {
     height,
     /** The mask made last, a byte per pixel inside a rim one pixel wide; not zero is inside. */
     mask: regions.cells,
-    /** Make the mask; returns what the read-out tells of it. */
+    /**
+     * Make the mask; returns what the read-out tells of it.
+     * @param {HsvLimits} limits
+     * @param {number} openRadius
+     * @param {number} closeRadius
+     */
     segment(limits, openRadius, closeRadius) {
       markRange(planes, limits, width, bits);
       morphology.open(bits, openRadius);
@@ -25,7 +33,12 @@ export function makeSegmenter({ width, height, channels, data }) {
       const count = regions.load(bits);
       return { share: count / (width * height), count, centroid: regions.findCentroid() };
     },
-    /** What the read-out tells of a pixel [u, v] of the mask made last; [] is none. */
+    /**
+     * What the read-out tells of a pixel [u, v] of the mask made last; [] is none.
+     * @param {Pixel} pixel
+     * @param {HsvLimits} limits
+     * @returns {PixelValues}
+     */
     describePixel([u, v], limits) {
       if (u === undefined || u >= width || v >= height) {
         return {
@@ -37,6 +50,7 @@ export function makeSegmenter({ width, height, channels, data }) {
         };
       }
       const at = v * width + u;
+      /** @type {Triple} */
       const hsv = [planes.h[at], planes.s[at], planes.v[at]];
       const excluding = findExcluding(hsv, limits);
       return {

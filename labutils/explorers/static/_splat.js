@@ -4,7 +4,12 @@
 export const SPLAT_GROWTH = 1.6; // squares overlap, so that slanted surfaces stay closed
 export const MAX_SPLAT = 12; // pixels of the page
 
-/** Make room for a picture: the distance of what is drawn at each pixel, and which point it is. */
+/**
+ * Make room for a picture: the distance of what is drawn at each pixel, and which point it is.
+ * @param {number} width
+ * @param {number} height
+ * @returns {SplatBuffer}
+ */
 export function makeSplatBuffer(width, height) {
   const distance = new Float32Array(width * height);
   return { width, height, distance, ids: new Int32Array(width * height) };
@@ -15,6 +20,10 @@ export function makeSplatBuffer(width, height) {
  *
  * `look` has `eyeFromCamera` (see _orbit.js), `focal` in pixels, `K` and `far`. With a `stride` of
  * n only every n-th row and column of the camera's picture is drawn, in squares n times as large.
+ * @param {Cloud} cloud
+ * @param {Look} look
+ * @param {SplatBuffer} buffer
+ * @param {number} stride
  */
 export function splatPoints(cloud, look, buffer, stride = 1) {
   const { steps, depthStep, minDepth } = cloud;
@@ -55,7 +64,13 @@ export function splatPoints(cloud, look, buffer, stride = 1) {
   }
 }
 
-/** The point drawn at (x, y), else the closest one drawn within `slack` pixels, else -1. */
+/**
+ * The point drawn at (x, y), else the closest one drawn within `slack` pixels, else -1.
+ * @param {SplatBuffer} buffer
+ * @param {number} x
+ * @param {number} y
+ * @param {number} slack
+ */
 export function pickDrawn({ width, height, ids }, x, y, slack) {
   const [column, row] = [Math.floor(x), Math.floor(y)];
   let [best, bestSquare] = [-1, slack * slack + 1];

@@ -1,26 +1,50 @@
 // Two cameras side by side, the right one `baseline` meters along x: disparity and what it is worth.
 // Mirrors labutils.stereo. (u, v) is a pixel center; the left camera is the origin.
 
-export const [OUTSIDE, SEEN, HIDDEN] = [0, 1, 2];
+import { HIDDEN, OUTSIDE, SEEN } from "./_shared.js";
 
-/** How far to the left the right camera sees a point: pixels, for a focal length in pixels. */
+/**
+ * How far to the left the right camera sees a point: pixels, for a focal length in pixels.
+ * @param {number} depth
+ * @param {number} focal
+ * @param {number} baseline
+ */
 export function findDisparity(depth, focal, baseline) {
   return (focal * baseline) / depth;
 }
 
-/** Depths that a disparity wrong by up to `error` stands for; the far end is null if there is none. */
+/**
+ * Depths that a disparity wrong by up to `error` stands for; the far end is null if there is none.
+ * @param {number} disparity
+ * @param {number} error
+ * @param {number} focal
+ * @param {number} baseline
+ * @returns {[number, number | null]}
+ */
 export function findInterval(disparity, error, focal, baseline) {
   const product = focal * baseline;
   return [product / (disparity + error), disparity > error ? product / (disparity - error) : null];
 }
 
-/** Largest error of that interval in meters; null if it has no far end. */
+/**
+ * Largest error of that interval in meters; null if it has no far end.
+ * @param {number} depth
+ * @param {number} error
+ * @param {number} focal
+ * @param {number} baseline
+ */
 export function findLargestError(depth, error, focal, baseline) {
   const left = focal * baseline - depth * error;
   return left > 0 ? (depth * depth * error) / left : null;
 }
 
-/** The same for small errors: the first term of its series. */
+/**
+ * The same for small errors: the first term of its series.
+ * @param {number} depth
+ * @param {number} error
+ * @param {number} focal
+ * @param {number} baseline
+ */
 export function findLinearError(depth, error, focal, baseline) {
   return (depth * depth * error) / (focal * baseline);
 }
@@ -28,6 +52,10 @@ export function findLinearError(depth, error, focal, baseline) {
 /**
  * Whether the right camera sees the point of pixel u: not if it lies outside the picture, or if
  * something nearer in the same row of the left picture lands on the same pixel. `row` has depths.
+ * @param {number} u
+ * @param {ArrayLike<number>} row
+ * @param {number} focal
+ * @param {number} baseline
  */
 export function findRightState(u, row, focal, baseline) {
   const own = findDisparity(row[u], focal, baseline);
@@ -41,7 +69,14 @@ export function findRightState(u, row, focal, baseline) {
   return SEEN;
 }
 
-/** The point [x, z] from above where the rays through two columns meet; null if they never do. */
+/**
+ * The point [x, z] from above where the rays through two columns meet; null if they never do.
+ * @param {number} uLeft
+ * @param {number} uRight
+ * @param {Matrix} K
+ * @param {number} baseline
+ * @returns {Pair | null}
+ */
 export function meetRays(uLeft, uRight, K, baseline) {
   const disparity = uLeft - uRight;
   if (disparity <= 0) return null;

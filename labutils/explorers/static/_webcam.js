@@ -1,16 +1,23 @@
 // A still from the reader's camera. It runs only between two clicks, and stops with the page.
 
-import { make } from "./_frame.js";
+import { make, toError } from "./_frame.js";
 
+/** @type {Record<string, string>} */
 const REASONS = {
   NotAllowedError: "The browser did not allow the camera. You can open a picture instead.",
   NotFoundError: "No camera was found. You can open a picture instead.",
   NotReadableError: "Another program uses the camera. Close it and try again.",
 };
 
-/** Make { start, take, stop }; `accept` gets the video to draw, `onChange` whether it is running. */
+/**
+ * Make { start, take, stop }; `accept` gets the video to draw, `onChange` whether it is running.
+ * @param {HTMLElement} place
+ * @param {WebcamParts} parts
+ */
 export function openWebcam(place, { say, accept, onChange }) {
+  /** @type {MediaStream | null} */
   let stream = null;
+  /** @type {HTMLVideoElement | null} */
   let video = null;
   let latest = 0; // the reader may cancel while the browser still asks for leave
 
@@ -42,9 +49,10 @@ export function openWebcam(place, { say, accept, onChange }) {
         video.setAttribute("aria-label", "What your camera sees");
         await video.play();
         say("The camera is on.");
-      } catch (error) {
+      } catch (thrown) {
         if (mine !== latest) return;
         stop();
+        const error = toError(thrown);
         say(REASONS[error.name] ?? `The camera does not start: ${error.message}`);
       }
     },

@@ -4,9 +4,24 @@
 import { makeCanvasPainter } from "./_cloud_canvas.js";
 import { makeGlPainter } from "./_cloud_gl.js";
 import { makeMarks } from "./_cloud_marks.js";
-import { assumeIntrinsics, colorPoints, findPoint, makeCounter, measureAngle } from "./_cloud_points.js";
-import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
-import { FROM_WORLD, STAY, focalOfView, joinTransforms, makeEyeTransform } from "./_orbit.js";
+import {
+  assumeIntrinsics,
+  colorPoints,
+  findPoint,
+  makeCounter,
+  measureAngle,
+} from "./_cloud_points.js";
+import { readCloud } from "./_cloud_read.js";
+import {
+  defineView,
+  drawOnChange,
+  getContext,
+  make,
+  makeCanvas,
+  setTraits,
+  toError,
+} from "./_frame.js";
+import { focalOfView, joinTransforms, makeEyeTransform } from "./_orbit.js";
 import { makeOrbitButtons, makeOrbitControls } from "./_orbit_controls.js";
 import { makePicker } from "./_picker.js";
 import { decodePng, toImageData } from "./_png.js";
@@ -16,6 +31,10 @@ const SCALE_NAMES = ["", "depth", "height"];
 
 export default defineView("cloud", start);
 
+/**
+ * @param {CloudModel} model
+ * @param {Frame} frame
+ */
 async function start(model, frame) {
   const [image, depth] = await Promise.all([
     decodePng(model.get("rgb_png")).then(toImageData),
@@ -31,18 +50,17 @@ async function start(model, frame) {
   );
   const stand = makePainter(surface, cloud, frame);
   const drawMarks = makeMarks(surface, cloud);
-  const showScale = makeScale(main, cloud);
+  const showScale = makeColorScale(main, cloud);
   const side = make("div", "explorer-cloud-side", frame.stage);
   const canvas = makeCanvas(side, cloud.width, cloud.height, "The camera's picture");
-  canvas.getContext("2d").putImageData(image, 0, 0);
+  getContext(canvas).putImageData(image, 0, 0);
   makePicker({ model, frame, canvas, label: "The camera's picture" });
   makeOrbitButtons(side, model, cloud.orbitFromCamera);
 
   const countPoints = makeCounter(cloud);
   const colors = new Uint32Array(cloud.steps.length);
   let [colored, version] = ["", 0];
-  const names = ["fov_y_deg", "far", "color", "pixel", "orbit"];
-  const later = drawOnChange(model, frame, names, () => {
+  const later = drawOnChange(model, frame, () => {
     const [fov, far, mode] = [model.get("fov_y_deg"), model.get("far"), model.get("color")];
     const { K, stretch } = assumeIntrinsics(cloud.trueK, cloud.trueFov, fov);
     const found = findPoint(cloud, model.get("pixel"), K, far);
@@ -52,9 +70,10 @@ async function start(model, frame) {
       [colored, version] = [needed, version + 1];
       showScale(mode);
     }
-    const look = makeLook(surface, model, cloud, K, far, stand.painter.resolution);
+    const { painter } = stand;
+    const look = painter && makeLook(surface, model, cloud, K, far, painter.resolution);
     if (look) {
-      stand.painter.draw(look, colors, version);
+      painter.draw(look, colors, version);
       drawMarks(look, found.point_camera);
     }
     const angle_deg = measureAngle(cloud, K);
@@ -70,6 +89,7 @@ async function start(model, frame) {
     pick(x, y, slack) {
       const { K } = assumeIntrinsics(cloud.trueK, cloud.trueFov, model.get("fov_y_deg"));
       const look = makeLook(surface, model, cloud, K, model.get("far"), 1);
+      if (!look) return;
       const buffer = makeSplatBuffer(look.width, look.height);
       splatPoints(cloud, look, buffer);
       const id = pickDrawn(buffer, x, y, slack);
@@ -81,38 +101,16 @@ async function start(model, frame) {
   frame.cleanups.push(() => observer.disconnect());
 }
 
-/** Gather what never changes: depth in steps, colors, the camera's matrix and pose. */
-function readCloud(model, image, depth) {
-  const pose = model.get("T_world_cam");
-  const worldFromCamera = pose.length ? pose.slice(0, 3).flat() : null;
-  const orbitFromBase = worldFromCamera ? FROM_WORLD : STAY;
-  const bytes = model.get("palette");
-  const palette32 = new Uint32Array(256);
-  const palette = new Uint8Array(palette32.buffer); // red, green, blue, opaque, on any machine
-  for (let i = 0; i < 256; i++) {
-    palette.set([bytes.getUint8(3 * i), bytes.getUint8(3 * i + 1), bytes.getUint8(3 * i + 2), 255], 4 * i);
-  }
-  return {
-    width: depth.width,
-    height: depth.height,
-    steps: depth.data,
-    depthStep: model.get("depth_step"),
-    minDepth: model.get("min_depth"),
-    rgba32: new Uint32Array(image.data.buffer),
-    palette,
-    palette32,
-    trueK: model.get("true_K"),
-    trueFov: model.get("true_fov_y_deg"),
-    worldFromCamera,
-    orbitFromBase,
-    orbitFromCamera: worldFromCamera ? joinTransforms(orbitFromBase, worldFromCamera) : STAY,
-    faces: model.get("faces"),
-    depthLimits: model.get("depth_limits"),
-    heightLimits: model.get("height_limits"),
-  };
-}
-
-/** How the cloud is seen now, in pixels of the page and of the canvas; null where it has no size. */
+/**
+ * How the cloud is seen now, in pixels of the page and of the canvas; null where it has no size.
+ * @param {HTMLElement} surface
+ * @param {CloudModel} model
+ * @param {Cloud} cloud
+ * @param {Matrix} K
+ * @param {number} far
+ * @param {number} resolution
+ * @returns {PageLook | null}
+ */
 function makeLook(surface, model, cloud, K, far, resolution) {
   const [pageWidth, pageHeight] = [surface.clientWidth, surface.clientHeight];
   if (!pageWidth || !pageHeight) return null;
@@ -132,9 +130,16 @@ function makeLook(surface, model, cloud, K, far, resolution) {
   };
 }
 
-/** Choose what draws: WebGL, and without it, or once the browser takes it away, a plain canvas. */
+/**
+ * Choose what draws: WebGL, and without it, or once the browser takes it away, a plain canvas.
+ * @param {HTMLElement} surface
+ * @param {Cloud} cloud
+ * @param {Frame} frame
+ */
 function makePainter(surface, cloud, frame) {
-  const stand = { painter: null, onChange() {} };
+  /** @type {{ painter: CloudPainter | null, onChange: () => void, forget: () => void }} */
+  const stand = { painter: null, onChange() {}, forget() {} };
+  /** @param {(canvas: HTMLCanvasElement, cloud: Cloud) => CloudPainter | null} make3d */
   const use = (make3d) => {
     const canvas = document.createElement("canvas");
     const painter = make3d(canvas, cloud);
@@ -154,25 +159,32 @@ function makePainter(surface, cloud, frame) {
   try {
     use(makeGlPainter);
   } catch (error) {
-    console.warn(error.message); // a driver that cannot run the program: the canvas can
+    console.warn(toError(error).message); // a driver that cannot run the program: the canvas can
   }
   if (!stand.painter) use(makeCanvasPainter);
   frame.cleanups.push(() => {
     stand.forget();
-    stand.painter.destroy();
+    stand.painter?.destroy();
   });
   return stand;
 }
 
-/** The scale of the colors; it keeps its place where there is none. */
-function makeScale(parent, cloud) {
+/**
+ * The scale of the colors; it keeps its place where there is none.
+ * @param {Element} parent
+ * @param {Cloud} cloud
+ */
+function makeColorScale(parent, cloud) {
   const scale = make("p", "explorer-cloud-scale", parent);
   const low = make("span", "", scale);
   const bar = make("span", "explorer-cloud-bar", scale);
   const high = make("span", "", scale);
-  const stops = Array.from({ length: 18 }, (_, i) => `rgb(${cloud.palette.slice(60 * i, 60 * i + 3)})`);
+  const stops = Array.from(
+    { length: 18 },
+    (_, i) => `rgb(${cloud.palette.slice(60 * i, 60 * i + 3)})`,
+  );
   bar.style.background = `linear-gradient(to right, ${stops.join(", ")})`;
-  return (mode) => {
+  return (/** @type {number} */ mode) => {
     scale.style.visibility = mode ? "visible" : "hidden";
     const limits = mode === 2 ? cloud.heightLimits : cloud.depthLimits;
     low.textContent = `${SCALE_NAMES[mode]} ${limits[0].toFixed(2)} m`;
@@ -180,6 +192,11 @@ function makeScale(parent, cloud) {
   };
 }
 
+/**
+ * @param {CloudValues} values
+ * @param {CloudModel} model
+ * @param {Cloud} cloud
+ */
 function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, model, cloud) {
   const right = Math.abs(stretch - 1) < 5e-4;
   let text = `${points.toLocaleString("en-US")} points. f = ${f.toFixed(1)} px`;
@@ -196,7 +213,10 @@ function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, m
   return point_world ? `${text}, at ${inMeters(point_world)} in the world.` : `${text}.`;
 }
 
-/** Three coordinates to the millimeter; never minus zero. */
+/**
+ * Three coordinates to the millimeter; never minus zero.
+ * @param {Triple} point
+ */
 function inMeters(point) {
   return `(${point.map((value) => (Math.round(value * 1000) / 1000 || 0).toFixed(3)).join(", ")}) m`;
 }

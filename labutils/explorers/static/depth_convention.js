@@ -1,22 +1,44 @@
 // Depth convention: from the raw value of a depth buffer to meters, and what one step is worth.
 
-import { floatLevels, gapMm, integerLevels, metricToRaw } from "./_depth.js";
-import { processDepth, reversedGapMm } from "./_depth.js";
+import {
+  floatLevels,
+  gapMm,
+  integerLevels,
+  metricToRaw,
+  processDepth,
+  reversedGapMm,
+} from "./_depth.js";
 import { defineView, drawOnChange, make, setTraits } from "./_frame.js";
-import { addShape, makePlot, PLOT_WIDTH, setShape, toPath } from "./_plot.js";
+import { makePlot, PLOT_WIDTH, toPath } from "./_plot.js";
+import { addShape, setShape } from "./_shapes.js";
 
 const CURVE_POINTS = 240;
 const FINE_STEP = 0.01; // meters per arrow key
-const BUFFERS = { step16_mm: "16-bit integer", step24_mm: "24-bit integer" };
-Object.assign(BUFFERS, { step_float_mm: "float32", step_reversed_mm: "float32, reversed" });
+const BUFFERS = /** @type {const} */ ([
+  ["step16_mm", "16-bit integer"],
+  ["step24_mm", "24-bit integer"],
+  ["step_float_mm", "float32"],
+  ["step_reversed_mm", "float32, reversed"],
+]);
+
+/** @typedef {ReturnType<typeof readRaw>} RawValues */
 
 export default defineView("depth-convention", start);
 
+/**
+ * @param {ConventionModel} model
+ * @param {Frame} frame
+ */
 function start(model, frame) {
   const pair = make("div", "explorer-pair", frame.stage);
   const curve = makeCurve(pair);
   const table = makeTable(pair);
-  const get = () => [model.get("raw"), model.get("nears")[model.get("near_place")], model.get("far")];
+  /** @returns {Triple} */
+  const get = () => [
+    model.get("raw"),
+    model.get("nears")[model.get("near_place")],
+    model.get("far"),
+  ];
   makeDraggable(curve.plot.svg, curve.plot.area, {
     get() {
       const [raw, near, far] = get();
@@ -27,7 +49,7 @@ function start(model, frame) {
       setTraits(model, { raw: metricToRaw(depth, near, far) });
     },
   });
-  drawOnChange(model, frame, ["raw", "near_place", "far"], () => {
+  drawOnChange(model, frame, () => {
     const [raw, near, far] = get();
     const values = readRaw(raw, near, far);
     curve.show(values, raw, near, far);
@@ -36,7 +58,12 @@ function start(model, frame) {
   });
 }
 
-/** What a raw value means; the same as DepthConventionView.compute in Python. */
+/**
+ * What a raw value means; the same as DepthConventionView.compute in Python.
+ * @param {number} raw
+ * @param {number} near
+ * @param {number} far
+ */
 export function readRaw(raw, near, far) {
   const depth = processDepth(raw, near, far);
   return {
@@ -50,27 +77,45 @@ export function readRaw(raw, near, far) {
   };
 }
 
-/** The hyperbola with the point on it, and the two readings that are wrong. */
+/**
+ * The hyperbola with the point on it, and the two readings that are wrong.
+ * @param {Element} parent
+ */
 function makeCurve(parent) {
-  const plot = makePlot(parent, { height: 270, x: { label: "depth (m)" }, y: { label: "raw value" } });
+  const plot = makePlot(parent, {
+    height: 270,
+    x: { label: "depth (m)" },
+    y: { label: "raw value" },
+  });
   const { area, inside, above } = plot;
   const reversed = addShape(inside, "path", { class: "explorer-rival dotted" });
   const linear = addShape(inside, "path", { class: "explorer-rival dashed" });
   const curve = addShape(inside, "path", { class: "explorer-curve" });
   const gap = addShape(above, "path", { class: "explorer-gap" });
-  const rivals = [0, 1].map(() => addShape(above, "circle", { r: 5, class: "explorer-rival-point" }));
+  const rivals = [0, 1].map(() =>
+    addShape(above, "circle", { r: 5, class: "explorer-rival-point" }),
+  );
   const point = addShape(above, "circle", { r: 7, class: "explorer-point" });
-  const write = (x, y, name, text) => addShape(above, "text", { x, y, class: `halo ${name}` }, text);
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @param {string} name
+   * @param {string} text
+   */
+  const write = (x, y, name, text) =>
+    addShape(above, "text", { x, y, class: `halo ${name}` }, text);
   write(area.left + 46, area.top + 24, "", "true");
   write((area.left + area.right) / 2 + 12, (area.top + area.bottom) / 2 + 12, "soft", "linear");
   write(area.right - 66, area.bottom - 8, "soft", "reversed");
   let drawn = "";
   return {
     plot,
+    /** @type {(values: RawValues, raw: number, near: number, far: number) => void} */
     show(values, raw, near, far) {
       plot.setLimits([0, far], [0, 1]);
       if (drawn !== `${near};${far}`) {
         drawn = `${near};${far}`;
+        /** @type {Pair[]} */
         const points = [];
         for (let i = 0; i <= CURVE_POINTS; i++) {
           const depth = near + (far - near) * (i / CURVE_POINTS) ** 3; // dense where it bends
@@ -81,9 +126,11 @@ function makeCurve(parent) {
         setShape(linear, { d: `M${plot.x(near)} ${plot.y(0)}L${plot.x(far)} ${plot.y(1)}` });
       }
       const [x, y] = [plot.x(values.depth), plot.y(raw)];
-      const wrong = [values.linear_error, values.reversed_error].map((one) => plot.x(values.depth + one));
+      const wrong = [values.linear_error, values.reversed_error].map((one) =>
+        plot.x(values.depth + one),
+      );
       setShape(point, { cx: x, cy: y });
-      rivals.forEach((rival, i) => setShape(rival, { cx: wrong[i], cy: y }));
+      for (const [i, rival] of rivals.entries()) setShape(rival, { cx: wrong[i], cy: y });
       setShape(gap, { d: `M${Math.min(x, ...wrong)} ${y}H${Math.max(x, ...wrong)}` });
       const half = processDepth(0.5, near, far);
       const finding = `Raw value over depth: half of the scale ends at ${formatMeters(half)}`;
@@ -98,9 +145,15 @@ function makeCurve(parent) {
   };
 }
 
-/** Let the point be dragged, or moved with keys, along the depth: `state` has get and set. */
+/**
+ * Let the point be dragged, or moved with keys, along the depth.
+ * @param {SVGElement} svg
+ * @param {Area} area
+ * @param {{ get: () => Clip, set: (depth: number) => void }} state
+ */
 function makeDraggable(svg, area, state) {
   setShape(svg, { role: "slider", tabindex: 0, class: "explorer-draggable" });
+  /** @param {PointerEvent} event */
   const fromPointer = (event) => {
     const box = svg.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * PLOT_WIDTH;
@@ -118,6 +171,7 @@ function makeDraggable(svg, area, state) {
   svg.addEventListener("keydown", (event) => {
     const { depth, near, far } = state.get();
     const fine = event.shiftKey ? 10 * FINE_STEP : FINE_STEP;
+    /** @type {Record<string, number>} */
     const ways = { ArrowRight: fine, ArrowUp: fine, ArrowLeft: -fine, ArrowDown: -fine };
     Object.assign(ways, { PageUp: 1, PageDown: -1, Home: -far, End: far });
     if (!(event.key in ways)) return;
@@ -127,36 +181,46 @@ function makeDraggable(svg, area, state) {
   });
 }
 
+/** @param {Element} parent */
 function makeTable(parent) {
   const table = make("table", "explorer-steps", parent);
   make("caption", "", table).textContent = "One step of the buffer, at this depth";
-  const cells = {};
-  for (const [name, text] of Object.entries(BUFFERS)) {
+  const cells = BUFFERS.map(([, text]) => {
     const row = make("tr", "", table);
     const head = make("th", "", row);
     head.scope = "row";
     head.textContent = text;
-    cells[name] = make("td", "", row);
-  }
+    return make("td", "", row);
+  });
   return {
-    show(values) {
-      for (const name of Object.keys(BUFFERS)) cells[name].textContent = formatMm(values[name]);
+    show(/** @type {RawValues} */ values) {
+      for (const [i, [name]] of BUFFERS.entries()) cells[i].textContent = formatMm(values[name]);
     },
   };
 }
 
-function formatMm(mm) {
+function formatMm(/** @type {number} */ mm) {
   if (mm < 1e-4) return "below 0.0001 mm";
   return mm < 1000 ? `${Number(mm.toPrecision(3))} mm` : formatMeters(mm / 1000);
 }
 
-/** Three digits or more behind what matters, and never an exponent. */
+/**
+ * Three digits or more behind what matters, and never an exponent.
+ * @param {number} meters
+ */
 function formatMeters(meters) {
   const size = Math.abs(meters);
   return `${meters.toFixed(size < 1 ? 4 : size < 10 ? 3 : 2)} m`;
 }
 
+/**
+ * @param {RawValues} values
+ * @param {number} raw
+ * @param {number} near
+ * @param {number} far
+ */
 function inWords({ depth, linear_error, reversed_error }, raw, near, far) {
+  /** @param {number} error */
   const wrong = (error) => {
     const way = error > 0 ? "too far" : "too near";
     const off = Math.abs(error) < 5e-5 ? "no error" : `${formatMeters(Math.abs(error))} ${way}`;

@@ -1,35 +1,54 @@
 // Depth range: which depths get the colors, and where they lie in the raw buffer.
 
 import { metricToRaw } from "./_depth.js";
-import { FARTHER, INSIDE, LEVELS, NEARER, NO_SURFACE } from "./_depth_picture.js";
-import { binMetric, binRaw, countKinds, countSteps, findKind } from "./_depth_picture.js";
-import { findStripe, paintDepth, readTable, toStep } from "./_depth_picture.js";
-import { defineView, drawOnChange, make, makeCanvas } from "./_frame.js";
+import {
+  binMetric,
+  binRaw,
+  countKinds,
+  countSteps,
+  findKind,
+  findStripe,
+  LEVELS,
+  paintDepth,
+  readTable,
+  toSteps,
+} from "./_depth_picture.js";
+import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
 import { makePicker } from "./_picker.js";
-import { addShape, makePlot, setShape } from "./_plot.js";
+import { makePlot } from "./_plot.js";
 import { decodePng } from "./_png.js";
+import { addShape, setShape } from "./_shapes.js";
+import { FARTHER, INSIDE, NEARER, NO_SURFACE } from "./_shared.js";
 
 const BINS = 50;
 
 export default defineView("depth-range", start);
 
+/**
+ * @param {RangeModel} model
+ * @param {Frame} frame
+ */
 async function start(model, frame) {
   const { width, height, data: pixels } = await decodePng(model.get("depth_png"));
   const step = model.get("depth_step");
   const clip = model.get("clip_m");
   const upper = model.get("upper_m");
-  const valid = model.get("valid_m").map((one) => toStep(one, step));
+  const valid = toSteps(model.get("valid_m"), step);
   const bytes = model.get("color_tables");
   const all = new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const tables = model.get("color_names").map((_, place) => readTable(all, place * 768));
 
   const counts = countSteps(pixels);
-  const bins = [binMetric(counts, BINS, upper, step, valid), binRaw(counts, BINS, step, valid, clip)];
-  const closest = step * counts.findIndex((n, steps) => n && steps > valid[0] && steps < valid[1]);
+  const bins = [
+    binMetric(counts, BINS, upper, step, valid),
+    binRaw(counts, BINS, step, valid, clip),
+  ];
+  const closest =
+    step * counts.findIndex((n, steps) => n > 0 && steps > valid[0] && steps < valid[1]);
 
   const canvas = makeCanvas(frame.stage, width, height, "Depth");
   makePicker({ model, frame, canvas, label: "Depth image: read one pixel" });
-  const context = canvas.getContext("2d");
+  const context = getContext(canvas);
   const image = context.createImageData(width, height);
   const out = new Uint32Array(image.data.buffer);
   const palette = new Uint32Array(LEVELS);
@@ -40,9 +59,11 @@ async function start(model, frame) {
     makeHistogram(pair, bins[1], "raw window depth", [0, 1]),
   ];
 
-  drawOnChange(model, frame, ["range_m", "color_map", "pixel"], () => {
+  /** @type {(limits: Pair) => Pair} */
+  const toRaw = ([low, high]) => [metricToRaw(low, ...clip), metricToRaw(high, ...clip)];
+  drawOnChange(model, frame, () => {
     const range = model.get("range_m");
-    const rangeSteps = range.map((one) => toStep(one, step));
+    const rangeSteps = toSteps(range, step);
     const table = tables[model.get("color_map")];
     paintDepth(pixels, width, { table, range, rangeSteps, valid, step }, palette, out);
     context.putImageData(image, 0, 0);
@@ -57,7 +78,7 @@ async function start(model, frame) {
       share_inside: (100 * kinds[INSIDE]) / pixels.length,
       share_farther: (100 * kinds[FARTHER]) / pixels.length,
       no_surface: kinds[NO_SURFACE],
-      raw_range: range.map((one) => metricToRaw(one, ...clip)),
+      raw_range: toRaw(range),
       raw_closest: metricToRaw(closest, ...clip),
       metric_bins: bins[0],
       raw_bins: bins[1],
@@ -68,48 +89,65 @@ async function start(model, frame) {
     charts[0].show(range, depth);
     charts[1].show(values.raw_range, values.pixel_raw);
     const rest = `all surfaces lie above ${values.raw_closest.toFixed(3)}`;
-    charts[0].say(`Metric depth: ${values.share_inside.toFixed(1)} % of the pixels are in the range`);
+    charts[0].say(
+      `Metric depth: ${values.share_inside.toFixed(1)} % of the pixels are in the range`,
+    );
     charts[1].say(`Raw window depth: ${rest}; most of the scale is empty`);
     frame.tell(inWords(values, range, [u, v]), values);
   });
 }
 
-/** What the colors mean: a bar from near to far in meters, and the three that are no distance. */
+/**
+ * What the colors mean: a bar from near to far in meters, and the three that are no distance.
+ * @param {Element} parent
+ */
 function makeColorBar(parent) {
   const holder = make("div", "explorer-colorbar", parent);
   const canvas = makeCanvas(holder, 256, 1, "Color bar");
-  const context = canvas.getContext("2d");
+  const context = getContext(canvas);
   const image = context.createImageData(256, 1);
   const colors = new Uint32Array(image.data.buffer);
   const scale = make("div", "explorer-colorbar-scale", holder);
   const ends = [0, 1, 2].map(() => make("span", "", scale));
   const key = make("div", "explorer-key", holder);
-  for (const [kind, name] of [
+  const named = new Map([
     [NEARER, "nearer"],
     [FARTHER, "farther"],
     [NO_SURFACE, "no surface"],
-  ]) {
+  ]);
+  for (const [kind, name] of named) {
     const item = make("span", "explorer-key-item", key);
     drawSwatch(item, kind);
     item.append(name);
   }
   return {
+    /**
+     * @param {Uint32Array} table
+     * @param {Pair} range
+     */
     show(table, [near, far]) {
       colors.set(table);
       context.putImageData(image, 0, 0);
       [near, (near + far) / 2, far].forEach((meters, place) => {
         ends[place].textContent = `${meters.toFixed(2)} m`;
       });
-      canvas.setAttribute("aria-label", `Color bar from ${near.toFixed(2)} m to ${far.toFixed(2)} m`);
+      canvas.setAttribute(
+        "aria-label",
+        `Color bar from ${near.toFixed(2)} m to ${far.toFixed(2)} m`,
+      );
     },
   };
 }
 
+/**
+ * @param {Element} parent
+ * @param {number} kind
+ */
 function drawSwatch(parent, kind) {
   const canvas = make("canvas", "explorer-swatch", parent);
   [canvas.width, canvas.height] = [32, 32];
   canvas.setAttribute("aria-hidden", "true");
-  const context = canvas.getContext("2d");
+  const context = getContext(canvas);
   const image = context.createImageData(32, 32);
   const out = new Uint32Array(image.data.buffer);
   for (let i = 0; i < out.length; i++) {
@@ -118,7 +156,13 @@ function drawSwatch(parent, kind) {
   context.putImageData(image, 0, 0);
 }
 
-/** Bars that stay, a band that follows the range, and a line for the pixel. */
+/**
+ * Bars that stay, a band that follows the range, and a line for the pixel.
+ * @param {Element} parent
+ * @param {number[]} counts
+ * @param {string} label
+ * @param {Pair} limits
+ */
 function makeHistogram(parent, counts, label, limits) {
   const total = counts.reduce((sum, one) => sum + one, 0) || 1;
   const highest = (100 * Math.max(...counts)) / total || 1;
@@ -139,30 +183,40 @@ function makeHistogram(parent, counts, label, limits) {
   addShape(inside, "path", { class: "explorer-bars", d: places.join("") });
   const edges = addShape(plot.above, "path", { class: "explorer-edges" });
   const mark = addShape(plot.above, "path", { class: "explorer-pixel-line" });
-  const clamp = (value) => Math.min(limits[1], Math.max(limits[0], value));
+  const clamp = (/** @type {number} */ value) => Math.min(limits[1], Math.max(limits[0], value));
   return {
+    /** @type {(range: Pair, value: number | null) => void} */
     show([low, high], value) {
       const [from, to] = [plot.x(clamp(low)), plot.x(clamp(high))];
       setShape(band, { x: from, width: Math.max(to - from, 0) });
-      setShape(edges, { d: `M${from} ${area.top}V${area.bottom}M${to} ${area.top}V${area.bottom}` });
+      setShape(edges, {
+        d: `M${from} ${area.top}V${area.bottom}M${to} ${area.top}V${area.bottom}`,
+      });
       const at = value === null ? "" : plot.x(clamp(value)).toFixed(2);
       setShape(mark, { d: at && `M${at} ${area.bottom}V${area.top}m0 0l-5 -8h10Z` });
     },
-    say: (text) => plot.svg.setAttribute("aria-label", text),
+    say: (/** @type {string} */ text) => plot.svg.setAttribute("aria-label", text),
   };
 }
 
+/**
+ * @param {RangeValues} values
+ * @param {Pair} range
+ * @param {Pixel} pixel
+ */
 function inWords(values, [near, far], [u, v]) {
   const [low, high] = values.raw_range.map((one) => one.toFixed(4));
   const text =
     `${near.toFixed(2)} to ${far.toFixed(2)} m holds ${values.share_inside.toFixed(1)} % of the pixels; ` +
     `${values.no_surface.toLocaleString("en-US")} see no surface. The same range in the raw buffer: ${low} to ${high}.`;
   if (u === undefined) return text;
-  if (values.pixel_depth === null) return `${text} Pixel (${u}, ${v}): no depth.`;
-  const meters = values.pixel_depth;
+  const { pixel_depth: meters, pixel_raw, pixel_kind } = values;
+  if (meters === null || pixel_raw === null || pixel_kind === null) {
+    return `${text} Pixel (${u}, ${v}): no depth.`;
+  }
   const kind = ["nearer than the range", "in the range", "farther than the range", "no surface"];
   return (
     `${text} Pixel (${u}, ${v}): ${meters.toFixed(4)} m = ${(1000 * meters).toFixed(1)} mm, ` +
-    `raw ${values.pixel_raw.toFixed(5)}, ${kind[values.pixel_kind]}.`
+    `raw ${pixel_raw.toFixed(5)}, ${kind[pixel_kind]}.`
   );
 }

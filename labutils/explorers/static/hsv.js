@@ -3,50 +3,51 @@
 
 import { defineView, drawOnChange, make, makeCanvas, setTraits } from "./_frame.js";
 import { makeHueRing } from "./_hue_ring.js";
-import { acceptPictures } from "./_own_picture.js";
 import { makeOverlay } from "./_overlay.js";
+import { acceptPictures } from "./_own_picture.js";
 import { makePicker } from "./_picker.js";
 import { decodePng } from "./_png.js";
 import { makeSegmenter } from "./_segment.js";
 
-const TRAITS = [
-  "hue_from",
-  "hue_to",
-  "saturation_limits",
-  "value_limits",
-  "open_radius",
-  "close_radius",
-  "shown",
-  "pixel",
-];
+export default defineView("hsv", start);
 
-export default defineView("hsv", startHsv);
-
-async function startHsv(model, frame) {
+/**
+ * @param {HsvModel} model
+ * @param {Frame} frame
+ */
+async function start(model, frame) {
   const scene = await decodePng(model.get("rgb_png"));
   frame.stage.classList.add("explorer-hsv");
   // one place of the scene's shape for every picture, so that nothing moves when it changes
   const place = make("div", "explorer-hsv-picture", frame.stage);
   place.style.aspectRatio = `${scene.width} / ${scene.height}`;
   const canvas = makeCanvas(place, scene.width, scene.height, "The picture");
-  makePicker({ model, frame, canvas, label: "The picture, dimmed where nothing is selected" });
+  const holder = makePicker({
+    model,
+    frame,
+    canvas,
+    label: "The picture, dimmed where nothing is selected",
+  });
   const ring = makeHueRing(frame.stage, model);
 
+  /** @type {ReturnType<typeof makeSegmenter>} */
   let segmenter;
+  /** @type {ReturnType<typeof makeOverlay>} */
   let overlay;
+  /** @param {Picture} picture */
   const show = (picture) => {
     segmenter = makeSegmenter(picture);
     overlay = makeOverlay(canvas, picture);
     const shrink = Math.min(1, (picture.width * scene.height) / (picture.height * scene.width));
-    canvas.parentElement.style.width = `${100 * shrink}%`;
+    holder.style.width = `${100 * shrink}%`;
     frame.root.dataset.picture = picture === scene ? "scene" : "own";
   };
   show(scene);
-  const draw = drawOnChange(model, frame, TRAITS, () => {
+  const draw = drawOnChange(model, frame, () => {
     const limits = readLimits(model);
-    const values = segmenter.segment(limits, model.get("open_radius"), model.get("close_radius"));
-    overlay.draw(segmenter.mask, model.get("shown"), values.centroid);
-    Object.assign(values, segmenter.describePixel(model.get("pixel"), limits));
+    const found = segmenter.segment(limits, model.get("open_radius"), model.get("close_radius"));
+    overlay.draw(segmenter.mask, model.get("shown"), found.centroid);
+    const values = { ...found, ...segmenter.describePixel(model.get("pixel"), limits) };
     ring.show(limits, values.pixel_hsv, values.pixel_rgb);
     frame.tell(describeSelection(values, model.get("pixel")), values);
   });
@@ -62,7 +63,11 @@ async function startHsv(model, frame) {
   });
 }
 
-/** The six limits, [[h, s, v] low, [h, s, v] high]. */
+/**
+ * The six limits, [[h, s, v] low, [h, s, v] high].
+ * @param {HsvModel} model
+ * @returns {HsvLimits}
+ */
 function readLimits(model) {
   const [saturation, value] = [model.get("saturation_limits"), model.get("value_limits")];
   return [
@@ -71,6 +76,10 @@ function readLimits(model) {
   ];
 }
 
+/**
+ * @param {HsvValues} values
+ * @param {Pixel} pixel
+ */
 function describeSelection({ share, count, centroid, ...picked }, pixel) {
   const digits = share > 0 && share < 0.0995 ? 2 : 1;
   const where = centroid ? `(${centroid.join(", ")})` : "none";
@@ -80,6 +89,10 @@ function describeSelection({ share, count, centroid, ...picked }, pixel) {
   );
 }
 
+/**
+ * @param {PixelValues} values
+ * @param {Pixel} pixel
+ */
 function describePicked(values, pixel) {
   if (!values.pixel_hsv) return "";
   const [rgb, hsv] = [values.pixel_rgb.join(" "), values.pixel_hsv.join(" ")];

@@ -1,9 +1,14 @@
 // The editor of the exercise cells: the entry that esbuild bundles into one script, whose global is
-// `cameraLabEditor` (see tools/vendor_python.py). Colors are classes; exercises.css gives them.
+// `cameraLabEditor` (see tools/vendor/page_python.py). Colors are classes; exercises.css gives them.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { python } from "@codemirror/lang-python";
-import { bracketMatching, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+import {
+  bracketMatching,
+  indentOnInput,
+  indentUnit,
+  syntaxHighlighting,
+} from "@codemirror/language";
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
@@ -23,11 +28,22 @@ const leaveWithTab = EditorView.domEventObservers({
  * Tab indents. Escape, then Tab, leaves the editor. CodeMirror allows two seconds for that, and
  * not while something is selected; here there is as much time as a reader needs.
  *
- * @param {object} options parent (element), text, label (for screen readers), describedBy (id of
- *   the help line), onChange(text) after the reader edits, onCheck() for Ctrl or Cmd and Enter
+ * @param {object} options
+ * @param {Element} options.parent
+ * @param {string} options.text
+ * @param {string} options.label for screen readers
+ * @param {string} options.describedBy id of the line of help
+ * @param {(text: string) => void} options.onChange after the reader edits
+ * @param {() => void} options.onCheck for Ctrl or Cmd and Enter
  */
 export function createEditor({ parent, text, label, describedBy, onChange, onCheck }) {
-  const check = { key: "Mod-Enter", run: () => (onCheck(), true) };
+  const check = {
+    key: "Mod-Enter",
+    run() {
+      onCheck();
+      return true; // nobody else shall hear of this key
+    },
+  };
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -60,7 +76,7 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
   });
   return {
     getText: () => view.state.doc.toString(),
-    setText: (value) =>
+    setText: (/** @type {string} */ value) =>
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: value } }),
     focus: () => view.focus(),
   };

@@ -1,10 +1,11 @@
-// What the browser scripts share: start Chromium, open a page and write down what goes wrong.
+// What scripts share that look at pages, for tests, benches and pictures: start Chromium, open a
+// page and write down what goes wrong.
 
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
 
 /** Loads a package of _build/npm (tools/vendor/npm.py puts them there). */
-export const require = createRequire(new URL("../../_build/npm/", import.meta.url));
+export const require = createRequire(new URL("../_build/npm/", import.meta.url));
 
 const BROWSERS = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 const FLAGS = [

@@ -1,0 +1,20 @@
+// What scripts find on a page, beside what every browser has.
+
+interface Window {
+  /** Put there by the book and its libraries. */
+  MathJax: any;
+  cameraLab: any;
+  axe: any;
+  /** Put there by the tests. */
+  seenStatus: any;
+  host: any;
+  tracks: any;
+  allow: any;
+  cleanUp: any;
+}
+declare const host: any;
+/** A selector does not say which kind of element it finds. */
+interface ParentNode {
+  querySelector(selector: string): any;
+  querySelectorAll(selector: string): NodeListOf<any>;
+}
