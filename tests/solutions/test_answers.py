@@ -1,6 +1,6 @@
 """Answers of strangers, who knew no card: no right one is refused, and most wrong ones explained.
 
-They lie in ``answers/``, as they were written: by people who had the pages and the starters only.
+They lie in ``answers/``, as they were written: with the pages and the starters, and nothing else.
 Four folders hold right answers, in lists named ``ANSWERS``. One holds wrong ones, in lists named
 ``WRONG``, each with what is wrong and on which input. Some of these are right by the statement as
 it is today: ``answers/allowed.yml`` says why.
