@@ -20,7 +20,11 @@ from tools.vendor.pack_python import list_page_exercises
 
 ANSWERS = Path(__file__).resolve().parents[1] / "solutions" / "answers"
 SETS = sorted(path.name for path in ANSWERS.iterdir() if path.is_dir() and path.name != "wrong")
-NAMES = list_page_exercises()
+NAMES = [
+    name
+    for name in list_page_exercises()
+    if all((ANSWERS / folder / f"{name}.py").is_file() for folder in SETS)
+]
 CHAPTERS = sorted({load_exercises()[name].chapter for name in NAMES})
 
 #: A run in the page ends after 20 s, so each has some answers only: fewer where one takes long.

@@ -30,8 +30,10 @@ from labutils.checks.verdict import MAX_LINES, Verdict
 from solutions import load_exercises
 
 FOLDER = Path(__file__).with_name("answers")
-SETS = sorted(path.name for path in FOLDER.iterdir() if path.is_dir() and path.name != "wrong")
-NAMES = tuple(load_exercises())
+#: A new exercise has no answers of strangers yet.
+ANSWERED = sorted((path.parent.name, path.stem) for path in FOLDER.glob("*/*.py"))
+RIGHT = [pair for pair in ANSWERED if pair[0] != "wrong"]
+WRONG = [name for folder, name in ANSWERED if folder == "wrong"]
 HIDDEN_SEEDS = 3
 
 #: Of wrong answers: how many may get through, and how many of the others are explained.
@@ -71,8 +73,7 @@ def passes_hidden_cases(name: str, function: Function) -> bool:
     return True
 
 
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("folder", SETS)
+@pytest.mark.parametrize(("folder", "name"), RIGHT)
 def test_no_right_answer_of_a_stranger_is_refused(folder: str, name: str) -> None:
     refused = {
         function.__name__: verdict.message
@@ -83,8 +84,7 @@ def test_no_right_answer_of_a_stranger_is_refused(folder: str, name: str) -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("folder", SETS)
+@pytest.mark.parametrize(("folder", "name"), RIGHT)
 def test_no_right_answer_of_a_stranger_fails_hidden_cases(folder: str, name: str) -> None:
     functions = load(folder, name).ANSWERS
     refused = [one.__name__ for one in functions if not passes_hidden_cases(name, one)]
@@ -102,6 +102,11 @@ def read_allowed() -> dict[str, dict[str, str]]:
 def list_wrong(name: str) -> list[Function]:
     allowed = read_allowed().get(name, {})
     return [one for one, _ in load("wrong", name).WRONG if one.__name__ not in allowed]
+
+
+def test_answers_are_to_exercises_that_exist() -> None:
+    assert {name for _, name in ANSWERED} <= set(load_exercises())
+    assert len({folder for folder, _ in RIGHT}) == 4
 
 
 def test_what_is_allowed_names_an_answer_and_a_reason() -> None:
@@ -126,7 +131,7 @@ def describe(verdict: Verdict) -> str:
 def test_wrong_answers_of_strangers_are_refused_and_explained() -> None:
     counts: Counter[str] = Counter()
     through, unexplained = [], []
-    for name in NAMES:
+    for name in WRONG:
         for function in list_wrong(name):
             verdict = judge_quietly(name, function)
             kind = describe(verdict)
