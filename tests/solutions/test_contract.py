@@ -104,7 +104,8 @@ def test_arguments_have_the_type_that_the_starter_promises(name: str) -> None:
                     next(names)
                 continue
             one = next(names)
-            assert keeps(promised[one], value), f"{one}: {promised[one]}, got {value!r}"
+            wish = f"{one}: {promised[one]}, got {value!r}; the card's `asks` may say what comes in"
+            assert keeps(promised[one], value), wish
 
 
 def keeps(promise: str, value: object) -> bool:
