@@ -23,6 +23,8 @@ await main(async (browser, site, name, importsFile) => {
   seen.askedBefore = asked.filter((url) => url.includes("/_static/python/"));
   await watchStatus(page, first);
   await ui.button(page, first, "Check").click();
+  // On a quick machine all may be loaded between this check and the next, unseen.
+  await page.waitForFunction(() => window.seenStatus.some((text) => text.includes(" MB")));
   await ui.button(page, first, "Stop").click();
   seen.stoppedEarly = await ui.settle(page, first);
   await Promise.all([first, second].map((one) => ui.button(page, one, "Check").click()));
