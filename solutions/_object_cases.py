@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from labutils import find_valid_depth
 from labutils.checks.table import Case
 from solutions._cases import make_blocks, make_pose
-from solutions._simpler import is_valid
 
 
 def make_table(rng: np.random.Generator, label: str) -> Case:
@@ -42,6 +42,7 @@ def make_table(rng: np.random.Generator, label: str) -> Case:
 
 
 def make_small_objects(rng: np.random.Generator) -> tuple[Case, ...]:
+    """Make three tables of few blocks: a near background, uneven depth, values at their limits."""
     near = float(rng.uniform(0.95, 1.05))
     a, b, c, d = map(int, rng.permutation([1, 2, 3, 4]))
     wide, far = map(int, rng.permutation([2, 3]))
@@ -81,7 +82,7 @@ def make_small_objects(rng: np.random.Generator) -> tuple[Case, ...]:
 def fill_objects(args: dict[str, Any]) -> dict[str, Any]:
     """Give the invalid pixels of every object the median depth of the others, or a large one."""
     depth, labels = args["depth_metric"], args["labels"]
-    valid = is_valid(depth)
+    valid = find_valid_depth(depth)
     for label in np.unique(labels[labels > 0]):
         inside = labels == label
         seen = depth[inside & valid]
@@ -98,7 +99,7 @@ def flatten_objects(args: dict[str, Any]) -> dict[str, Any]:
     """Give every object one depth."""
     depth, labels = args["depth_metric"], args["labels"]
     for label in np.unique(labels):
-        seen = is_valid(depth) & (labels == label)
+        seen = find_valid_depth(depth) & (labels == label)
         if seen.any():
             depth[seen] = np.median(depth[seen])
     return {"depth_metric": depth}

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
-from labutils._constants import MAX_DEPTH, MIN_DEPTH
-from labutils.checks.table import Case, Scene, Simpler
+from labutils import find_valid_depth
+from labutils.checks.explain.arguments import find_places, with_argument
+from labutils.checks.inputs import is_same
+from labutils.checks.table import Case, Simpler
 
 if TYPE_CHECKING:
     from labutils.checks.table import CheckTable
@@ -43,16 +46,17 @@ def simplify(exercise: Exercise, table: CheckTable) -> tuple[Simpler, ...]:
     A case that stays as it is, or whose right answer is without any number, is left out.
     """
     found = []
+    places = find_places(table)
     for one in (*list_valid(exercise), *exercise.simpler, *list_common(exercise)):
         numbers: list[int] = []
         cases: list[Case] = []
         for number, case in enumerate(table.cases):
             if case.raises:
                 continue
-            changed = change_arguments(exercise, case.args, one.change)
-            if not _are_same(changed, case.args):
+            changed = change_arguments(case, places, one.change)
+            if not is_same(changed.args, case.args):
                 numbers.append(number)
-                cases.append(replace(case, label="", args=changed))
+                cases.append(replace(changed, label=""))
         if not cases:
             continue
         expected = exercise.collect(exercise.reference, tuple(cases))
@@ -69,31 +73,16 @@ def simplify(exercise: Exercise, table: CheckTable) -> tuple[Simpler, ...]:
     return tuple(one for one in found if one.cases)
 
 
-def change_arguments(exercise: Exercise, args: tuple[Any, ...], change: Change) -> tuple[Any, ...]:
-    """Return the arguments of a case with a change; a scene stays as it is."""
-    names = list(exercise.parameters)
-    by_name: dict[str, Any] = {}
-    for value in args:
-        if isinstance(value, Scene):
-            del names[: len(value.gives)]
-        else:
-            by_name[names.pop(0)] = value
+def change_arguments(case: Case, places: dict[str, int], change: Change) -> Case:
+    """Return a case with a change of its arguments by name; a scene stays as it is."""
+    given = {name: case.args[place] for name, place in places.items()}
     copies = {
         name: value.copy() if isinstance(value, np.ndarray) else value
-        for name, value in by_name.items()
+        for name, value in given.items()
     }
-    changed = {**by_name, **change(copies)}
-    rest = iter(changed.values())
-    return tuple(value if isinstance(value, Scene) else next(rest) for value in args)
-
-
-def _are_same(some: tuple[Any, ...], others: tuple[Any, ...]) -> bool:
-    return all(
-        np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
-        if isinstance(a, np.ndarray) and isinstance(b, np.ndarray)
-        else a is b or a == b
-        for a, b in zip(some, others, strict=True)
-    )
+    for name, value in change(copies).items():
+        case = with_argument(case, places[name], value)
+    return case
 
 
 def _says_much(due: tuple[Any, ...]) -> bool:
@@ -153,17 +142,30 @@ def _square(args: dict[str, Any]) -> dict[str, Any]:
     return {"height": args["width"]}
 
 
-def is_valid(depth: np.ndarray) -> np.ndarray:
-    """Mark the pixels whose depth counts."""
-    return np.asarray((depth > MIN_DEPTH) & (depth < MAX_DEPTH))
-
-
 def fill_invalid(args: dict[str, Any]) -> dict[str, Any]:
     """Give every invalid pixel the median depth; 1 m where there is none."""
     depth = args["depth_metric"]
-    valid = is_valid(depth)
+    valid = find_valid_depth(depth)
     depth[~valid] = np.median(depth[valid]) if valid.any() else 1.0
     return {"depth_metric": depth}
+
+
+def stay_straight(pose: str) -> Change:
+    """Return the change that turns a pose straight, at its place, and points_world with it."""
+    return partial(_move, pose, face_along)
+
+
+def stay_at_origin(pose: str) -> Change:
+    """Return the change that moves a pose to the origin, and points_world with it."""
+    return partial(_move, pose, move_to_origin)
+
+
+def _move(
+    pose: str, change: Callable[[np.ndarray], np.ndarray], args: dict[str, Any]
+) -> dict[str, Any]:
+    old = args[pose]
+    new = change(old)
+    return {pose: new, "points_world": carry(args["points_world"], old, new)}
 
 
 def face_along(T: np.ndarray) -> np.ndarray:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from solutions._simpler import carry, face_along, is_valid, move_to_origin
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
+from labutils import find_valid_depth
+from solutions._simpler import carry
 
 
 def _look(args: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
@@ -54,22 +52,6 @@ def _put(args: dict[str, Any], place: Any, *, on_surface: bool = False) -> dict[
     u, v = np.rint(pixels[inside]).astype(int).T
     seen = args["depth_metric"][v, u]
     if on_surface:
-        z = np.where(is_valid(seen), seen, z)
+        z = np.where(find_valid_depth(seen), seen, z)
     ways = np.column_stack([pixels[inside], np.ones(len(z))]) @ np.linalg.inv(args["K"]).T
     return {"points_world": carry(ways * z[:, None], np.eye(4), args["T_world_cam"])}
-
-
-def not_turned(args: dict[str, Any]) -> dict[str, Any]:
-    """Turn the camera straight, and the points with it."""
-    return _move(args, face_along)
-
-
-def not_moved(args: dict[str, Any]) -> dict[str, Any]:
-    """Move the camera to the origin, and the points with it."""
-    return _move(args, move_to_origin)
-
-
-def _move(args: dict[str, Any], change: Callable[[np.ndarray], np.ndarray]) -> dict[str, Any]:
-    old = args["T_world_cam"]
-    new = change(old)
-    return {"T_world_cam": new, "points_world": carry(args["points_world"], old, new)}

@@ -8,7 +8,7 @@ import numpy as np
 
 from solutions._cases import make_rotation
 from solutions._model import Case, Exercise, Misconception, Part, asked, given
-from solutions._simpler import Simplification, carry, face_along, move_to_origin
+from solutions._simpler import Simplification, stay_at_origin, stay_straight
 
 
 def crop_region(
@@ -117,12 +117,6 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (*robots, _make_limit_case(rng, "on the limits"), *_make_row_cases(rng))
 
 
-def _move(args: dict[str, Any], change: Any) -> dict[str, Any]:
-    old = args["T_world_robot"]
-    new = change(old)
-    return {"T_world_robot": new, "points_world": carry(args["points_world"], old, new)}
-
-
 EXERCISE = Exercise(
     name="crop_region",
     title="keep what lies in a box before the robot",
@@ -134,9 +128,9 @@ EXERCISE = Exercise(
     reference=crop_region,
     answer_with=_answer_with,
     simpler=(
-        Simplification("not-turned", "the robot is not turned", lambda a: _move(a, face_along)),
+        Simplification("not-turned", "the robot is not turned", stay_straight("T_world_robot")),
         Simplification(
-            "at-the-origin", "the robot is at the origin", lambda a: _move(a, move_to_origin)
+            "at-the-origin", "the robot is at the origin", stay_at_origin("T_world_robot")
         ),
     ),
     parts=(Part("points", "cloud", "float", atol=1e-4, unit="m"),),

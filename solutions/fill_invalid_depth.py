@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 import cv2
 import numpy as np
 
+from labutils import find_valid_depth
 from solutions._cases import make_depth, spoil_depth
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
-from solutions._simpler import Simplification, is_valid
+from solutions._simpler import Simplification
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -105,7 +106,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 def _shrink_holes(args: dict[str, Any]) -> dict[str, Any]:
     """Give what lies deep in a hole the median depth."""
     depth = args["depth_metric"]
-    valid = is_valid(depth)
+    valid = find_valid_depth(depth)
     deep = cv2.distanceTransform((~valid).astype(np.uint8), cv2.DIST_C, 3) > 4
     depth[deep] = np.median(depth[valid])
     return {"depth_metric": depth}
@@ -115,19 +116,19 @@ def _close_border(args: dict[str, Any]) -> dict[str, Any]:
     depth = args["depth_metric"]
     rim = np.ones(depth.shape, dtype=bool)
     rim[2:-2, 2:-2] = False
-    valid = is_valid(depth)
+    valid = find_valid_depth(depth)
     depth[rim & ~valid] = np.median(depth[valid])
     return {"depth_metric": depth}
 
 
 def _put(args: dict[str, Any], value: float) -> dict[str, Any]:
     depth = args["depth_metric"]
-    return {"depth_metric": np.where(is_valid(depth), depth, np.float32(value))}
+    return {"depth_metric": np.where(find_valid_depth(depth), depth, np.float32(value))}
 
 
 def _flatten(args: dict[str, Any]) -> dict[str, Any]:
     depth = args["depth_metric"]
-    return {"depth_metric": np.where(is_valid(depth), np.float32(1.5), depth)}
+    return {"depth_metric": np.where(find_valid_depth(depth), np.float32(1.5), depth)}
 
 
 EXERCISE = Exercise(

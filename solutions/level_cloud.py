@@ -141,28 +141,22 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
     return (*_make_cases(rng), *_make_cases(rng))
 
 
-def _measure_heights(points: np.ndarray) -> np.ndarray:
-    plane, _ = level_cloud(points)
-    return np.asarray(points @ plane[:3] + plane[3])
-
-
 def _keep_table(args: dict[str, Any]) -> dict[str, Any]:
-    points = args["points"]
-    return {"points": points[np.abs(_measure_heights(points)) < 0.01]}
+    _, leveled = level_cloud(args["points"])
+    return {"points": args["points"][np.abs(leveled[:, 2]) < 0.01]}
 
 
 def _keep_far(args: dict[str, Any]) -> dict[str, Any]:
-    points = args["points"]
-    height = np.abs(_measure_heights(points))
-    return {"points": points[(height < 0.01) | (height > 0.06)]}
+    _, leveled = level_cloud(args["points"])
+    height = np.abs(leveled[:, 2])
+    return {"points": args["points"][(height < 0.01) | (height > 0.06)]}
 
 
 def _flatten(args: dict[str, Any]) -> dict[str, Any]:
-    points = args["points"]
-    plane, _ = level_cloud(points)
-    height = _measure_heights(points)
-    height[np.abs(height) > 0.01] = 0  # the others stay where they are
-    return {"points": points - height[:, None] * plane[:3]}
+    plane, leveled = level_cloud(args["points"])
+    # Only the table's: the others stay where they are.
+    height = np.where(np.abs(leveled[:, 2]) > 0.01, 0, leveled[:, 2])
+    return {"points": args["points"] - height[:, None] * plane[:3]}
 
 
 EXERCISE = Exercise(

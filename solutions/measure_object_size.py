@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from labutils import find_valid_depth
 from solutions._cases import make_blocks
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
-from solutions._simpler import Simplification, is_valid
+from solutions._simpler import Simplification
 
 #: Pixels of the mask this far from its median depth see something else, in meters.
 _SAME_OBJECT = 0.05
@@ -153,7 +154,7 @@ def _hidden(rng: np.random.Generator) -> tuple[Case, ...]:
 def _find_object(args: dict[str, Any]) -> np.ndarray:
     """Mark the pixels that are measured."""
     depth = args["depth_metric"]
-    inside = (args["mask"] > 0) & is_valid(depth)
+    inside = (args["mask"] > 0) & find_valid_depth(depth)
     return np.asarray(inside & (np.abs(depth - np.median(depth[inside])) <= 0.05))
 
 

@@ -8,12 +8,10 @@ import numpy as np
 
 from solutions._cases import make_depth, make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
-from solutions._simpler import Simplification
+from solutions._simpler import Simplification, stay_at_origin, stay_straight
 from solutions._simpler_views import (
     keep_ahead,
     keep_inside,
-    not_moved,
-    not_turned,
     put_on_pixels,
     put_on_surface,
 )
@@ -182,8 +180,10 @@ EXERCISE = Exercise(
             "on-the-surface", "every point lies on the surface that is measured", put_on_surface
         ),
         Simplification("whole-pixels", "every point projects to a whole pixel", put_on_pixels),
-        Simplification("not-turned", "the camera is not turned", not_turned),
-        Simplification("at-the-origin", "the camera is at the origin", not_moved),
+        Simplification("not-turned", "the camera is not turned", stay_straight("T_world_cam")),
+        Simplification(
+            "at-the-origin", "the camera is at the origin", stay_at_origin("T_world_cam")
+        ),
     ),
     parts=(
         Part("pixels", "pixels", "float", atol=0.02, unit="px"),

@@ -99,7 +99,7 @@ class Watch:
         if self._scene:
             after |= _read_scene(self._named)
         changed = tuple(
-            name for name, value in self._before.items() if not _is_same(value, after[name])
+            name for name, value in self._before.items() if not is_same(value, after[name])
         )
         # What MuJoCo computes of another model, or of another state, says nothing.
         if self._state is None or {"model", "data"} & set(changed):
@@ -156,7 +156,8 @@ def _copy(value: Any) -> Any:
     return value
 
 
-def _is_same(one: Any, other: Any) -> bool:
+def is_same(one: Any, other: Any) -> bool:
+    """Tell whether two values agree to the last bit, arrays in their dtype too."""
     if isinstance(one, np.ndarray):
         return (
             isinstance(other, np.ndarray)
@@ -167,8 +168,8 @@ def _is_same(one: Any, other: Any) -> bool:
         return (
             isinstance(other, list | tuple)
             and len(one) == len(other)
-            and all(_is_same(x, y) for x, y in zip(one, other, strict=True))
+            and all(is_same(x, y) for x, y in zip(one, other, strict=True))
         )
     if isinstance(one, dict):
-        return one.keys() == other.keys() and all(_is_same(one[key], other[key]) for key in one)
+        return one.keys() == other.keys() and all(is_same(one[key], other[key]) for key in one)
     return one is other or bool(one == other)

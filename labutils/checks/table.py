@@ -153,15 +153,8 @@ class CheckTable:
     #: Simpler cases, for whoever is wrong: tried in this order.
     simpler: tuple[Simpler, ...] = ()
 
-    def of_cases(self, numbers: tuple[int, ...]) -> CheckTable:
-        """Return a table of some of the cases, without known mistakes."""
-        cases = tuple(self.cases[number] for number in numbers)
-        expected = tuple(self.expected[number] for number in numbers)
-        return replace(self, cases=cases, expected=expected, wrong={}, simpler=())
-
-    def with_simpler(self, simpler: Simpler) -> CheckTable:
-        """Return a table of simpler cases in place of its own."""
-        cases, expected = simpler.cases, simpler.expected
+    def with_cases(self, cases: tuple[Case, ...], expected: tuple[Outcome, ...]) -> CheckTable:
+        """Return a table of other cases: of these, no wrong answers are known."""
         return replace(self, cases=cases, expected=expected, wrong={}, simpler=())
 
     @property

@@ -8,7 +8,6 @@ import json
 import re
 import zipfile
 from collections.abc import Callable
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -16,16 +15,17 @@ import pytest
 
 from content.chapters import get_chapter
 from solutions import load_exercises
+from tests.helpers.answers import FOLDER, RIGHT, load_answers
 from tools.vendor.pack_python import list_page_exercises
 
-ANSWERS = Path(__file__).resolve().parents[1] / "solutions" / "answers"
-SETS = sorted(path.name for path in ANSWERS.iterdir() if path.is_dir() and path.name != "wrong")
-NAMES = [
-    name
-    for name in list_page_exercises()
-    if all((ANSWERS / folder / f"{name}.py").is_file() for folder in SETS)
+#: The page has no MuJoCo: answers that ask for it run in notebooks only.
+ANSWERED = [
+    (folder, name)
+    for folder, name in RIGHT
+    if name in list_page_exercises()
+    and "import mujoco" not in (FOLDER / folder / f"{name}.py").read_text(encoding="utf-8")
 ]
-CHAPTERS = sorted({load_exercises()[name].chapter for name in NAMES})
+CHAPTERS = sorted({load_exercises()[name].chapter for _, name in ANSWERED})
 
 #: A run in the page ends after 20 s, so each has some answers only: fewer where one takes long.
 MANY, FEW = 12, 2
@@ -56,22 +56,19 @@ print("judged", count, "refused", refused)
 def pack_answers() -> str:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for folder in SETS:
-            for name in NAMES:
-                archive.write(ANSWERS / folder / f"{name}.py", f"{folder}/{name}.py")
+        for folder, name in ANSWERED:
+            archive.write(FOLDER / folder / f"{name}.py", f"{folder}/{name}.py")
     return base64.b64encode(buffer.getvalue()).decode()
 
 
-def list_runs(names: list[str]) -> list[tuple[str, str, int]]:
+def list_runs(chapter: str) -> list[tuple[str, str, int]]:
     """List what to run: the set, the exercise and the first answer."""
-    runs = []
-    for name in names:
-        for folder in SETS:
-            if "import mujoco" in (ANSWERS / folder / f"{name}.py").read_text(encoding="utf-8"):
-                continue  # the page has no MuJoCo
-            count = len(import_module(f"tests.solutions.answers.{folder}.{name}").ANSWERS)
-            runs += [(folder, name, first) for first in range(0, count, step(name))]
-    return runs
+    return [
+        (folder, name, first)
+        for folder, name in ANSWERED
+        if load_exercises()[name].chapter == chapter
+        for first in range(0, len(load_answers(folder, name).ANSWERS), step(name))
+    ]
 
 
 def step(name: str) -> int:
@@ -87,8 +84,7 @@ def test_no_right_answer_of_a_stranger_is_refused_in_the_page(
     page_python: dict[str, Any],  # noqa: ARG001 - needed to run
     tmp_path: Path,
 ) -> None:
-    names = [name for name in NAMES if load_exercises()[name].chapter == chapter]
-    runs = list_runs(names)
+    runs = list_runs(chapter)
     # In its own editor: an exercise brings its table when it is checked.
     planned = [
         {

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from functools import partial
 
-import numpy as np
 import pytest
 
 from labutils.checks.table import CheckTable, load_table
 from solutions import load_exercises
 from solutions._model import Exercise
+from tests.helpers.hidden_cases import make_hidden_table
 
 NAMES = tuple(load_exercises())
 
@@ -26,12 +26,6 @@ def table(exercise: Exercise) -> CheckTable:
 
 
 @pytest.fixture
-def hidden_table(exercise: Exercise, table: CheckTable) -> Callable[[int], CheckTable]:
+def hidden_table(exercise: Exercise) -> Callable[[int], CheckTable]:
     """Return a function: seed to a table of the hidden cases, without known wrong answers."""
-
-    def make(seed: int) -> CheckTable:
-        cases = exercise.hidden(np.random.default_rng(seed))
-        expected = exercise.collect(exercise.reference, cases)
-        return replace(table, cases=cases, expected=expected, wrong={})
-
-    return make
+    return partial(make_hidden_table, exercise.name)

@@ -11,13 +11,8 @@ from __future__ import annotations
 import contextlib
 import io
 from collections import Counter
-from dataclasses import replace
 from functools import cache
-from importlib import import_module
-from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
 import yaml
 
@@ -28,21 +23,14 @@ from labutils.checks.inputs import collect_and_watch
 from labutils.checks.table import CheckTable, load_table
 from labutils.checks.verdict import MAX_LINES, Verdict
 from solutions import load_exercises
+from tests.helpers.answers import ANSWERED, FOLDER, RIGHT, WRONG, load_answers
+from tests.helpers.hidden_cases import make_hidden_table
 
-FOLDER = Path(__file__).with_name("answers")
-#: A new exercise has no answers of strangers yet.
-ANSWERED = sorted((path.parent.name, path.stem) for path in FOLDER.glob("*/*.py"))
-RIGHT = [pair for pair in ANSWERED if pair[0] != "wrong"]
-WRONG = [name for folder, name in ANSWERED if folder == "wrong"]
 HIDDEN_SEEDS = 3
 
 #: Of wrong answers: how many may get through, and how many of the others are explained.
 MAX_THROUGH = 0.02
 MIN_EXPLAINED = 0.9
-
-
-def load(folder: str, name: str) -> Any:
-    return import_module(f"tests.solutions.answers.{folder}.{name}")
 
 
 def judge_quietly(name: str, function: Function) -> Verdict:
@@ -53,15 +41,7 @@ def judge_quietly(name: str, function: Function) -> Verdict:
 
 @cache
 def make_hidden_tables(name: str) -> tuple[CheckTable, ...]:
-    exercise = load_exercises()[name]
-    tables = []
-    for seed in range(HIDDEN_SEEDS):
-        cases = exercise.hidden(np.random.default_rng(seed))
-        expected = exercise.collect(exercise.reference, cases)
-        tables.append(
-            replace(load_table(name), cases=cases, expected=expected, wrong={}, simpler=())
-        )
-    return tuple(tables)
+    return tuple(make_hidden_table(name, seed) for seed in range(HIDDEN_SEEDS))
 
 
 def passes_hidden_cases(name: str, function: Function) -> bool:
@@ -77,7 +57,7 @@ def passes_hidden_cases(name: str, function: Function) -> bool:
 def test_no_right_answer_of_a_stranger_is_refused(folder: str, name: str) -> None:
     refused = {
         function.__name__: verdict.message
-        for function in load(folder, name).ANSWERS
+        for function in load_answers(folder, name).ANSWERS
         if not (verdict := judge_quietly(name, function)).passed
     }
     assert refused == {}
@@ -86,7 +66,7 @@ def test_no_right_answer_of_a_stranger_is_refused(folder: str, name: str) -> Non
 @pytest.mark.slow
 @pytest.mark.parametrize(("folder", "name"), RIGHT)
 def test_no_right_answer_of_a_stranger_fails_hidden_cases(folder: str, name: str) -> None:
-    functions = load(folder, name).ANSWERS
+    functions = load_answers(folder, name).ANSWERS
     refused = [one.__name__ for one in functions if not passes_hidden_cases(name, one)]
     assert refused == []
 
@@ -101,7 +81,7 @@ def read_allowed() -> dict[str, dict[str, str]]:
 
 def list_wrong(name: str) -> list[Function]:
     allowed = read_allowed().get(name, {})
-    return [one for one, _ in load("wrong", name).WRONG if one.__name__ not in allowed]
+    return [one for one, _ in load_answers("wrong", name).WRONG if one.__name__ not in allowed]
 
 
 def test_answers_are_to_exercises_that_exist() -> None:
@@ -111,7 +91,7 @@ def test_answers_are_to_exercises_that_exist() -> None:
 
 def test_what_is_allowed_names_an_answer_and_a_reason() -> None:
     for name, reasons in read_allowed().items():
-        known = {one.__name__ for one, _ in load("wrong", name).WRONG}
+        known = {one.__name__ for one, _ in load_answers("wrong", name).WRONG}
         assert set(reasons) <= known
         assert all(len(reason) > 15 for reason in reasons.values())
 

@@ -11,7 +11,7 @@ import pytest
 from labutils.checks.table import Scene
 from solutions import load_exercises
 from solutions._contract import Duty, asked, given, told
-from tools.derive.contract import find_gaps, list_ties
+from tools.derive.contract import GapError, list_ties, make_tables
 from tools.derive.sentences import list_sentences, split_docstring, split_sentences
 
 if TYPE_CHECKING:
@@ -26,11 +26,16 @@ def card() -> Exercise:
 
 
 def test_every_sentence_is_kept_and_every_check_is_asked_for() -> None:
-    assert find_gaps(load_exercises()) == []
+    assert [gap for card in load_exercises().values() for gap in list_ties(card)[1]] == []
 
 
 def find_in(card: Exercise, contract: tuple[Duty, ...]) -> list[str]:
-    return find_gaps({card.name: replace(card, contract=contract)})
+    return list_ties(replace(card, contract=contract))[1]
+
+
+def test_a_contract_with_gaps_is_not_written(card: Exercise) -> None:
+    with pytest.raises(GapError, match="no row says what keeps the sentence"):
+        make_tables({card.name: replace(card, contract=())})
 
 
 def test_a_sentence_without_a_row_is_named(card: Exercise) -> None:

@@ -28,6 +28,10 @@ _UNSAID = ("defined", "runs")
 _BY_TYPE = ("type", "shape", "dtype")
 
 
+class GapError(ValueError):
+    """A contract has gaps; the message names all of them."""
+
+
 @dataclass(frozen=True)
 class Tie:
     """A row of the table: a sentence, and what keeps it."""
@@ -135,26 +139,31 @@ def _resolve(words: str, checks: set[str]) -> set[str]:
     return {check for check in checks if words in (check, check.partition(" of ")[0])}
 
 
-def find_gaps(exercises: dict[str, Exercise]) -> list[str]:
-    """Name every sentence that nothing keeps, and every check that no sentence asks for."""
-    return [gap for exercise in exercises.values() for gap in list_ties(exercise)[1]]
-
-
 def make_contract(exercises: dict[str, Exercise], note: str) -> str:
     """Return the file with the tables of all exercises."""
     return f"# Which check keeps which sentence\n\n<!-- {note} -->\n\n{make_tables(exercises)}"
 
 
 def make_tables(exercises: dict[str, Exercise]) -> str:
-    """Return one table per exercise, each under its heading."""
+    """Return one table per exercise, each under its heading.
+
+    Raises
+    ------
+    GapError
+        If a sentence is kept by nothing, or a check is asked for by no sentence.
+    """
     lines = []
+    gaps = []
     for name, exercise in exercises.items():
-        ties, _ = list_ties(exercise)
+        ties, found = list_ties(exercise)
+        gaps += found
         lines += [f"## `{name}`", "", "| Id | Sentence | Kept by |", "|---|---|---|"]
         for tie in ties:
             kept = ", ".join(tie.kept_by) or f"({tie.kind})"
             lines.append(f"| {tie.id} | {_escape(tie.sentence.text)} | {kept} |")
         lines.append("")
+    if gaps:
+        raise GapError("\n  ".join(["the contract has gaps", *gaps]))
     return "\n".join(lines).rstrip() + "\n"
 
 

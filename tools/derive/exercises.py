@@ -24,7 +24,7 @@ from labutils.checks.table import WORDS, CheckTable
 from labutils.checks.writing import encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
-from tools.derive.contract import find_gaps, make_contract
+from tools.derive.contract import GapError, make_contract
 from tools.derive.exercise_pages import (
     describe_points,
     fill_chapter,
@@ -53,11 +53,10 @@ def main(arguments: list[str] | None = None) -> int:
     if places := find_unfilled():
         print("exercises: fill these places first", *places, sep="\n  ", file=sys.stderr)
         return 1
-    exercises = load_exercises()
-    files = make_files(exercises)
-    # After the files: what a fresh card still has to be given is known from its starter.
-    if gaps := find_gaps(exercises):
-        print("exercises: the contract has gaps", *gaps, sep="\n  ", file=sys.stderr)
+    try:
+        files = make_files(load_exercises())
+    except GapError as error:
+        print(f"exercises: {error}", file=sys.stderr)
         return 1
     stale = find_stale(files, options.root)
     if options.check:

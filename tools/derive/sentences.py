@@ -85,7 +85,7 @@ def split_docstring(docstring: str) -> Iterator[Sentence]:
         following = lines[number + 1] if number + 1 < len(lines) else ""
         is_title = bool(line) and not line.startswith(" ") and set(following) == {"-"}
         is_entry = section in ("Parameters", "Returns", "Raises") and not line.startswith(" ")
-        if (not line or is_title or (is_entry and line)) and block:
+        if (not line or is_title or is_entry) and block:
             yield from _close(section, entry, block)
             block = []
         if is_title:

@@ -172,10 +172,9 @@ class Judge:
     def _make_tables(self, cases: tuple[Case, ...]) -> list[CheckTable]:
         exercise = self.exercise
         expected = exercise.collect(exercise.reference, cases)
-        table = replace(load_table(exercise.name), parts=exercise.parts, wrong={})
+        table = replace(load_table(exercise.name), parts=exercise.parts)
         return [
-            replace(table, cases=(case,), expected=(due,))
-            for case, due in zip(cases, expected, strict=True)
+            table.with_cases((case,), (due,)) for case, due in zip(cases, expected, strict=True)
         ]
 
 

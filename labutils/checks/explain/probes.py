@@ -24,6 +24,7 @@ from labutils.checks.explain.arguments import (
 from labutils.checks.explain.repairs import list_repairs
 from labutils.checks.explain.simpler import find_simpler
 from labutils.checks.explain.told import Explanation
+from labutils.checks.inputs import is_same
 from labutils.checks.table import Raised
 
 if TYPE_CHECKING:
@@ -145,18 +146,7 @@ def list_changes(
 
 def is_identical(one: Outcome, other: Outcome) -> bool:
     """Tell whether two answers agree to the last bit: little effect is an effect."""
-    return (
-        isinstance(one, tuple)
-        and isinstance(other, tuple)
-        and all(
-            x is y if x is None or y is None else _is_same_array(x, y)
-            for x, y in zip(one, other, strict=True)
-        )
-    )
-
-
-def _is_same_array(x: np.ndarray, y: np.ndarray) -> bool:
-    return x.dtype == y.dtype and bool(np.array_equal(x, y, equal_nan=x.dtype.kind == "f"))
+    return isinstance(one, tuple) and is_same(one, other)
 
 
 def _find_repair(

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import cv2
@@ -58,7 +59,7 @@ class Pair:
     due: np.ndarray
     yours: np.ndarray
 
-    @property
+    @cached_property
     def is_right(self) -> bool:
         """Whether the part agrees within its tolerance."""
         same_shape = self.due.shape == self.yours.shape

@@ -23,7 +23,9 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
     """Propose that the whole is turned, mirrored or moved, in one way in all cases."""
     if any(pair.due.shape != pair.yours.shape or len(pair.due) < _MIN_POINTS for pair in pairs):
         return
-    if (source := _find_source(pairs)) and not any(_keeps_distances(*one) for one in source):
+    if (source := _find_source(pairs)) and not any(
+        _has_same_distances(pair.args[source], pair.yours) for pair in pairs
+    ):
         yield Relation(
             "not-rigid",
             "the distances between the points have changed: what was done is no rotation and no "
@@ -45,22 +47,16 @@ def propose(pairs: list[Pair]) -> Iterator[Relation]:
     )
 
 
-def _find_source(pairs: list[Pair]) -> list[tuple[np.ndarray, Pair]]:
-    """Return the points among the arguments that only had to be turned and moved, if they had."""
-    for name in pairs[0].args:
-        points = [pair.args.get(name) for pair in pairs]
-        if all(
-            isinstance(one, np.ndarray)
-            and one.shape == pair.due.shape
-            and _has_same_distances(one, pair.due)
-            for one, pair in zip(points, pairs, strict=True)
+def _find_source(pairs: list[Pair]) -> str:
+    """Name the points among the arguments that only had to be turned and moved, if they had."""
+    for name, value in pairs[0].args.items():
+        if isinstance(value, np.ndarray) and all(
+            pair.args[name].shape == pair.due.shape
+            and _has_same_distances(pair.args[name], pair.due)
+            for pair in pairs
         ):
-            return [(one, pair) for one, pair in zip(points, pairs, strict=True) if one is not None]
-    return []
-
-
-def _keeps_distances(points: np.ndarray, pair: Pair) -> bool:
-    return _has_same_distances(points, pair.yours)
+            return name
+    return ""
 
 
 def _has_same_distances(some: np.ndarray, others: np.ndarray) -> bool:
