@@ -99,6 +99,7 @@ interface CameraLab {
     VERSION: number;
     MAX_HINTS: number;
     MAX_CHARACTERS: number;
+    WORDS: Record<string, string>;
     SCHEMA: Schema;
   };
   progress: {

@@ -8,7 +8,7 @@
 // Where the browser keeps nothing, the page works with what this tab remembers.
 (() => {
   const PREFIX = "camera-lab-book.";
-  const { FILE_NAME, VERSION, MAX_HINTS, MAX_CHARACTERS, SCHEMA } = window.cameraLab.rules;
+  const { FILE_NAME, VERSION, MAX_HINTS, MAX_CHARACTERS, SCHEMA, WORDS } = window.cameraLab.rules;
   const COUNTED = /** @type {const} */ (["mistakes", "relations", "probes"]); // older files have only the first
 
   /** @type {Map<string, string>} */
@@ -52,17 +52,6 @@
       return false;
     }
   }
-
-  /** @type {Record<string, string>} */
-  const WORDS = {
-    object: "an object",
-    array: "a list",
-    string: "a text",
-    boolean: "true or false",
-    integer: "a whole number",
-    number: "a number",
-    null: "null",
-  };
 
   /** Name the kind of a value of JSON; a number that is whole, and exact, is an integer. */
   function getKind(/** @type {unknown} */ value) {

@@ -99,5 +99,14 @@ window.cameraLab = { ...window.cameraLab, rules: {
     }
    }
   }
+ },
+ "WORDS": {
+  "object": "an object",
+  "array": "a list",
+  "string": "a text",
+  "boolean": "true or false",
+  "integer": "a whole number",
+  "number": "a number",
+  "null": "null"
  }
 } };

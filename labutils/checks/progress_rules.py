@@ -45,7 +45,8 @@ SCHEMA: dict[str, Any] = {
 }
 
 _INEXACT = 2**53
-_WORDS = {
+#: What the kinds of values are called.
+WORDS = {
     "object": "an object",
     "array": "a list",
     "string": "a text",
@@ -60,8 +61,8 @@ def find_fault(value: Any, schema: dict[str, Any], place: str = "the file") -> s
     """Say where JSON differs from a schema, and how: the first fault; "" where there is none."""
     kind = get_kind(value)
     if kind not in schema["type"]:
-        wanted = " or ".join(_WORDS[one] for one in schema["type"])
-        return f"{place}: expected {wanted}, got {_WORDS[kind]}"
+        wanted = " or ".join(WORDS[one] for one in schema["type"])
+        return f"{place}: expected {wanted}, got {WORDS[kind]}"
     low, high = schema.get("minimum"), schema.get("maximum")
     if kind == "integer" and (value < low or (high is not None and value > high)):
         wanted = f"{low} or more" if high is None else low if low == high else f"{low} to {high}"

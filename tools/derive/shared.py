@@ -70,7 +70,7 @@ def list_explorer_constants() -> list[tuple[str, str, str]]:
 
 def _write_rules() -> str:
     """Write the rules of progress files for the scripts of a page, which are no modules."""
-    names = ("FILE_NAME", "VERSION", "MAX_HINTS", "MAX_CHARACTERS", "SCHEMA")
+    names = ("FILE_NAME", "VERSION", "MAX_HINTS", "MAX_CHARACTERS", "SCHEMA", "WORDS")
     content = json.dumps({name: getattr(rules, name) for name in names}, indent=1)
     return f"""// What a progress file may hold; progress.js reads it.
 window.cameraLab = {{ ...window.cameraLab, rules: {content} }};
