@@ -1,7 +1,7 @@
-// Runs between require.js and embed-amd.js, on pages that show a widget.
-// It names the vendored files, so that the widget manager asks no CDN. The two
-// "@jupyter-widgets" lines are for its icon fonts: it finds them through the
-// address of its own module and otherwise misses them now and then.
+// Runs between require.js and embed-amd.js: on pages that show a widget, and on others once Python
+// in the page shows one. It names the vendored files, so that the widget manager asks no CDN. The
+// two "@jupyter-widgets" lines are for its icon fonts: it finds them through the address of its own
+// module and otherwise misses them now and then.
 (() => {
   const script = /** @type {HTMLScriptElement} */ (document.currentScript);
   const here = script.src.replace(/[^/]*$/, "");
@@ -17,7 +17,7 @@
 
   // Widgets typeset their labels through MathJax 2; answer with MathJax 3, which has
   // loaded by the time the document is parsed (its script is deferred).
-  document.addEventListener("DOMContentLoaded", () => {
+  function answerForHub() {
     const mathjax = window.MathJax;
     const loaded = mathjax?.startup?.promise;
     if (!loaded) return;
@@ -25,5 +25,10 @@
       Queue: (/** @type {[any, any, Element]} */ [, , element]) =>
         loaded.then(() => mathjax.typesetPromise([element])),
     };
-  });
+  }
+  if (document.readyState === "loading") {
+    document.addEventListener("DOMContentLoaded", answerForHub);
+  } else {
+    answerForHub();
+  }
 })();

@@ -144,8 +144,10 @@ class Explorer(ipywidgets.VBox):  # type: ignore[misc]  # ipywidgets has no type
                 setattr(widget, attribute, value)
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
-        """Add the poster: a viewer that knows no widgets shows it."""
+        """Add the poster, unless it is excluded: a viewer that knows no widgets shows it."""
         bundle: dict[str, Any] = super()._repr_mimebundle_(**options) or {}
+        if "image/png" in (options.get("exclude") or ()):
+            return bundle
         return {**bundle, "image/png": encode_rgb(self.view.draw_poster())}
 
     def __repr__(self) -> str:

@@ -68,6 +68,11 @@ def test_a_viewer_without_widgets_gets_the_poster_and_the_sentence(explorer: Exp
     assert (_base.decode_rgb(bundle["image/png"]) == 128).all()
 
 
+def test_a_viewer_that_wants_no_poster_gets_none(explorer: Explorer) -> None:
+    bundle = explorer._repr_mimebundle_(exclude={"image/png"})
+    assert set(bundle) == {"application/vnd.jupyter.widget-view+json", "text/plain"}
+
+
 def test_whole_steps_make_a_slider_of_whole_numbers() -> None:
     assert isinstance(_base.make_slider("n", (0, 3), 1), ipywidgets.IntSlider)
     assert isinstance(_base.make_slider("x", (0, 3), 0.5), ipywidgets.FloatSlider)

@@ -30,6 +30,8 @@ export function defineView(name, start) {
  */
 function makeFrame({ model, el }, name) {
   const root = make("div", "explorer", el);
+  // where a page finds what a reader has set, see book/_page_python/widgets_carry.js
+  Object.assign(root, { explorerModel: model });
   root.dataset.explorer = name;
   root.dataset.state = "loading";
   root.setAttribute("role", "group");

@@ -1,0 +1,1 @@
+"""Where IPython keeps its shell."""
