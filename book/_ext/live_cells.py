@@ -19,9 +19,9 @@ SCRIPTS = (
     "elements.js",
     "assets.js",
     "python.js",
-    "session.js",
     "cell_edits.js",
     "cell_outputs.js",
+    "session.js",
     "cell_result.js",
     "cells.js",
 )

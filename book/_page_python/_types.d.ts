@@ -14,7 +14,7 @@ type Counts = Record<string, number>;
 type ProgressRecords = Map<string, ProgressRecord>;
 
 /** The forms of one thing: kind of content to text, or to what JSON can hold. */
-type Bundle = Record<string, string>;
+type Bundle = Record<string, unknown>;
 /** An output of a cell, as in a notebook. */
 type CellOutput =
   | { output_type: "stream"; name: string; text: string }
@@ -100,15 +100,6 @@ type CheckOrder = {
 type CellOrder = { kind: "cell"; code: string; name: string; isSetup: boolean };
 type CommOrder = { kind: "comm"; message: CommMessage };
 type Order = BootOrder | AddOrder | CheckOrder | CellOrder | CommOrder;
-/** What a widget in Python and its twin on the page say to each other. */
-interface CommMessage {
-  comm_id: string;
-  type: "comm_open" | "comm_msg" | "comm_close";
-  target_name?: string;
-  data: Record<string, unknown>;
-  metadata?: Record<string, unknown>;
-  buffers: ArrayBuffer[];
-}
 type WorkerAnswer =
   | { kind: "printed"; text: string }
   | { kind: "say"; text: string }
@@ -239,13 +230,6 @@ interface CameraLab {
   };
   bar?: SessionCell;
   exerciseData: ExerciseData;
-  widgets?: {
-    show(bundle: Bundle, element: HTMLElement): void;
-    carry(from: HTMLElement, to: HTMLElement): Promise<void>;
-    hear(message: CommMessage): void;
-    reset(): void;
-    onSend: (message: CommMessage) => void;
-  };
   rules: {
     FILE_NAME: string;
     VERSION: number;
@@ -286,15 +270,16 @@ interface CameraLab {
   makeOutbox(post: (message: CommMessage) => void): CommOutbox;
   makeWidgetManager(push: (message: CommMessage) => void): Promise<LiveManager>;
   carryValues(from: Element, to: Element): Promise<void>;
-  widgets: {
-    show(bundle: Record<string, unknown>, element: HTMLElement): Promise<void>;
+  /** Only where code has made widgets. */
+  widgets?: {
+    show(bundle: Bundle, element: HTMLElement): Promise<void>;
     hear(message: CommMessage): void;
     carry(from: Element, to: Element): Promise<void>;
     clear(element: Element): void;
     reset(): void;
     flush(): void;
     onSend: (message: CommMessage) => void;
-    showOutputs: (outputs: NotebookOutput[], element: HTMLElement) => void;
+    showOutputs: (outputs: CellOutput[], element: HTMLElement) => void;
   };
 }
 interface CodeEditor {
@@ -347,7 +332,7 @@ interface CommData {
   /** Of comm_done. */
   id?: number;
   /** Of comm_said. */
-  outputs?: NotebookOutput[];
+  outputs?: CellOutput[];
 }
 interface CommOutbox {
   push(message: CommMessage): void;
@@ -400,10 +385,4 @@ interface LivePlace extends HTMLElement {
 /** The element of an explorer's view. */
 interface ExplorerElement extends HTMLElement {
   explorerModel: Model<ViewTraits<Record<string, unknown>> & Record<string, unknown>>;
-}
-interface NotebookOutput {
-  output_type: string;
-  text?: string;
-  data?: Record<string, unknown>;
-  traceback?: string[];
 }

@@ -32,24 +32,33 @@
   }
 
   /**
+   * A live widget; it is there as soon as its manager is loaded.
+   * @param {Bundle} bundle
+   */
+  function makeWidget(bundle) {
+    const element = make("div", "cell-widget");
+    window.cameraLab.widgets?.show(bundle, element).catch((error) => {
+      element.textContent = `This widget cannot be shown: ${error.message}`;
+    });
+    return element;
+  }
+
+  /**
    * The richest form that a page can show.
    * @param {Bundle} bundle
    * @param {string} alt what the book says of this picture; empty where the cell was changed
    * @returns {HTMLElement}
    */
   function makeDisplay(bundle, alt) {
-    const said = alt || bundle["text/plain"] || "output of the cell";
-    if (bundle[WIDGET] && window.cameraLab.widgets) {
-      const element = make("div", "cell-widget");
-      window.cameraLab.widgets.show(bundle, element);
-      return element;
-    }
-    if (bundle["text/html"]) return makeHtml(bundle["text/html"]);
-    if (bundle["image/svg+xml"]) return makeSvg(bundle["image/svg+xml"], said);
+    const get = (/** @type {string} */ kind) => String(bundle[kind] ?? "");
+    const said = alt || get("text/plain") || "output of the cell";
+    if (bundle[WIDGET] && window.cameraLab.widgets) return makeWidget(bundle);
+    if (bundle["text/html"]) return makeHtml(get("text/html"));
+    if (bundle["image/svg+xml"]) return makeSvg(get("image/svg+xml"), said);
     for (const kind of ["image/png", "image/jpeg"]) {
-      if (bundle[kind]) return makeImage(kind, bundle[kind], said);
+      if (bundle[kind]) return makeImage(kind, get(kind), said);
     }
-    const text = bundle["text/markdown"] ?? bundle["text/latex"] ?? bundle["text/plain"];
+    const text = get("text/markdown") || get("text/latex") || get("text/plain");
     return make("pre", "cell-text", text, { tabindex: "0" });
   }
 

@@ -64,6 +64,7 @@
       const alts = [...images].map((image) => image.alt);
       const all = said.result === "stopped" ? { ...said, printed: this.printed } : said;
       const parts = outputs.makeAll(all, alts);
+      window.cameraLab.widgets?.clear(this.element); // of the run before
       this.element.replaceChildren(...parts);
       this.switch.hidden = !(this.built && parts.length);
       this.choose(parts.length > 0 && (isWanted || !this.built || said.result !== "ran"));

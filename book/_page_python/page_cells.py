@@ -16,7 +16,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 import page_outputs
-from page_errors import add_source, describe
+from page_errors import add_source
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -42,7 +42,6 @@ class Session:
         self.names: dict[str, Any] = {"__name__": "__main__"}
         #: What the set-up cells of a page have made; code that is checked finds no more than that.
         self.given: dict[str, Any] = {}
-        self.cells: list[str] = []
         #: Packages that could not be loaded, and why.
         self.missing: dict[str, str] = {}
 
@@ -66,6 +65,9 @@ class Session:
             The outputs, as in a notebook; an error is the last one.
         """
         page_outputs.begin(on_text)
+        if name in page_outputs.names:
+            page_outputs.names.remove(name)
+        page_outputs.names.append(name)
         add_source(code, name)
         with (
             contextlib.redirect_stdout(page_outputs.Stream("stdout")),
@@ -76,9 +78,7 @@ class Session:
             try:
                 self._execute(code, name)
             except BaseException as error:  # noqa: BLE001 - SystemExit must not end the worker either
-                page_outputs.publish(self._make_error(error, code, name))
-        if name not in self.cells:
-            self.cells.append(name)
+                page_outputs.publish(self._make_error(error, code))
         return page_outputs.outputs
 
     def _execute(self, code: str, name: str) -> None:
@@ -100,14 +100,14 @@ class Session:
         code = compile(tree, name, "exec", dont_inherit=True)
         exec(code, self.names)  # noqa: S102 - its purpose
 
-    def _make_error(self, error: BaseException, code: str, name: str) -> dict[str, Any]:
-        text = describe(error, name, self.cells)
+    def _make_error(self, error: BaseException, code: str) -> dict[str, Any]:
+        output = page_outputs.make_error(error)
+        advice = ""
         if isinstance(error, SyntaxError) and _COMMAND.search(code):
-            text = f"{text}\n{NO_COMMANDS}"
+            advice = f"\n{NO_COMMANDS}"
         if isinstance(error, ModuleNotFoundError) and error.name in self.missing:
-            text = f"{text}\n{NOT_LOADED.format(error.name, self.missing[error.name])}"
-        kind = type(error).__name__
-        return {"output_type": "error", "ename": kind, "evalue": str(error), "traceback": [text]}
+            advice = f"\n{NOT_LOADED.format(error.name, self.missing[error.name])}"
+        return {**output, "traceback": [output["traceback"][0] + advice]}
 
 
 def refuse_input(_prompt: object = "") -> str:
@@ -172,4 +172,5 @@ def note_missing(name: str, reason: str) -> None:
 
 def prepare() -> None:
     """Give cells what a notebook has built in: `display`, and no `input`."""
-    vars(builtins).update(display=page_outputs.display, input=refuse_input)
+    display = importlib.import_module("IPython.display").display  # the page's, see ipython/
+    vars(builtins).update(display=display, input=refuse_input)

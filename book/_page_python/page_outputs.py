@@ -1,6 +1,6 @@
 """Collect what a cell prints and shows, in the form of a notebook's outputs.
 
-`publish` and `make_bundle` are what the page's ``IPython.display`` and its comms build on. Nothing
+`publish`, `make_bundle` and `make_error` are what the page's IPython and its comms build on. Nothing
 here needs a browser, so tests run it anywhere.
 """
 
@@ -9,6 +9,8 @@ from __future__ import annotations
 import base64
 import io
 from typing import TYPE_CHECKING, Any
+
+from page_errors import describe
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -31,6 +33,10 @@ _FORMS = {
 #: The outputs of the running cell; a cell starts with none.
 outputs: list[dict[str, Any]] = []
 
+#: What tracebacks call the cells that have run, the last one last.
+names: list[str] = []
+
+_clears_next = False
 _printed = 0
 _on_text: Callable[[str], None] | None = None
 
@@ -43,25 +49,31 @@ def begin(on_text: Callable[[str], None] | None = None) -> None:
     on_text : callable, optional
         Hears every text as it is printed, so that the page knows it where the cell never ends.
     """
-    global _printed, _on_text
+    global _printed, _on_text, _clears_next
     outputs.clear()
+    _clears_next = False
     _printed, _on_text = 0, on_text
 
 
 def publish(output: dict[str, Any]) -> None:
-    """Add an output, in the notebook's form (``output_type`` and what belongs to it)."""
+    """Add an output in the notebook's form (``output_type`` and what belongs to it), or clear."""
+    global _clears_next
+    if output["output_type"] == "clear_output":
+        _clears_next = output["wait"]
+        if not _clears_next:
+            outputs.clear()
+        return
+    if _clears_next:
+        outputs.clear()
+        _clears_next = False
     outputs.append(output)
 
 
-def clear() -> None:
-    """Remove what the cell has shown until now."""
-    outputs.clear()
-
-
-def display(*things: Any) -> None:
-    """Show objects, each in its richest form."""
-    for thing in things:
-        publish({"output_type": "display_data", "data": make_bundle(thing), "metadata": {}})
+def make_error(error: BaseException) -> dict[str, Any]:
+    """Return an exception as an output, with the reader's own lines."""
+    text = describe(error, names[-1] if names else "", names)
+    kind = type(error).__name__
+    return {"output_type": "error", "ename": kind, "evalue": str(error), "traceback": [text]}
 
 
 def make_bundle(thing: Any) -> dict[str, Any]:
@@ -72,7 +84,8 @@ def make_bundle(thing: Any) -> dict[str, Any]:
     bundle: dict[str, Any] = {}
     whole = getattr(thing, "_repr_mimebundle_", None)
     if callable(whole) and not isinstance(thing, type):
-        made = whole()
+        # explorers draw their poster for those who have no widgets: not here
+        made = whole(exclude={"image/png"}) if hasattr(thing, "_model_id") else whole()
         bundle = dict((made[0] if isinstance(made, tuple) else made) or {})
     for method, form in _FORMS.items():
         function = getattr(thing, method, None)
@@ -103,17 +116,15 @@ class Stream(io.TextIOBase):
 
     def write(self, text: str) -> int:
         """Keep a text, up to the limit of a cell."""
-        global _printed  # noqa: PLW0603 - see begin
-        kept = text[: MAX_PRINTED - _printed]
-        if len(kept) < len(text) and _printed <= MAX_PRINTED:
-            kept += TOO_MUCH
+        global _printed
+        left = MAX_PRINTED - _printed
         _printed += len(text)
-        if kept:
-            self._add(kept)
+        if left > 0:
+            self._add(text if len(text) <= left else text[:left] + TOO_MUCH)
         return len(text)
 
     def _add(self, text: str) -> None:
-        last = outputs[-1] if outputs else {}
+        last = outputs[-1] if outputs and not _clears_next else {}
         if last.get("output_type") == "stream" and last["name"] == self.name:
             last["text"] += text
         else:

@@ -24,6 +24,8 @@
   let givenTables = new Set();
   /** @type {ReturnType<typeof setTimeout>} */
   let timer;
+  /** @type {ReturnType<typeof setTimeout>} */
+  let commTimer;
   /** @type {(() => void)[]} */
   const onEnd = []; // who has to know that everything Python knew is gone
   /** @type {(message: CommMessage) => void} */
@@ -113,6 +115,7 @@
   }
 
   function end() {
+    clearTimeout(commTimer);
     worker?.terminate();
     worker = null;
     started = null;
@@ -125,6 +128,7 @@
     if (message.kind === "printed") {
       current?.onPrinted?.(message.text);
     } else if (message.kind === "comm") {
+      if (message.message.type === "comm_done") clearTimeout(commTimer);
       onComm(message.message);
     } else if (message.kind === "say") {
       current?.say(message.text);
@@ -143,6 +147,12 @@
       result: "stopped",
       error: `Stopped after ${seconds} seconds: is there a loop that never ends? ${AGAIN}`,
     });
+  }
+
+  /** A callback of a widget does not end: the same limit holds, where no cell runs. */
+  function endLate() {
+    if (current) commTimer = setTimeout(endLate, options.limitMs);
+    else end();
   }
 
   /** Give the current job its result, and begin the next. */
@@ -172,6 +182,7 @@
       job.say("Running");
       job.startedMs = performance.now();
       timer = setTimeout(stopLate, options.limitMs);
+      window.cameraLab.widgets?.flush(); // what the reader has moved counts
       worker?.postMessage({ ...job.order, table: isNew ? content : null });
     } catch (thrown) {
       const error = /** @type {Error} */ (thrown);
@@ -222,6 +233,8 @@
     },
     /** Tell widgets in Python something. */
     sendComm(/** @type {CommMessage} */ message) {
+      clearTimeout(commTimer);
+      commTimer = setTimeout(endLate, options.limitMs); // what a callback does may never end
       worker?.postMessage({ kind: "comm", message }, message.buffers);
     },
   };

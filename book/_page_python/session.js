@@ -1,7 +1,7 @@
 // In which order the cells of a page run: as in a notebook from top to bottom, those above first.
 // What stands in a cell is the business of cells.js and exercises.js, which add their cells here.
 (() => {
-  const { assets, python } = window.cameraLab;
+  const { assets, outputs, python } = window.cameraLab;
 
   /** @type {SessionCell[]} */
   const cells = [];
@@ -11,6 +11,12 @@
   /** @type {(() => void)[]} */
   const listeners = [];
 
+  const WIDGET_SCRIPTS = [
+    "widgets_outbox.js",
+    "widgets_manager.js",
+    "widgets_carry.js",
+    "widgets.js",
+  ];
   /** Cells that need these parts of Python name them. */
   const WIDGETS = /\b(?:explorers?|ipywidgets|anywidget|interact)\b/;
   const SIMULATOR = /\b(?:mujoco|labutils|lab)\b/;
@@ -27,9 +33,11 @@
   /** Load what draws live widgets, the first time that code makes some. */
   async function loadWidgets() {
     if (window.cameraLab.widgets) return;
-    await assets.loadScript("widgets.js");
+    for (const script of WIDGET_SCRIPTS) await assets.loadScript(script);
     const { widgets } = /** @type {Required<CameraLab>} */ (window.cameraLab);
     widgets.onSend = python.sendComm;
+    widgets.showOutputs = (said, element) =>
+      element.replaceChildren(...outputs.makeAll({ result: "ran", outputs: said }, []));
     python.listenForComm(widgets.hear);
     python.listenForEnd(widgets.reset);
   }

@@ -138,6 +138,7 @@ async function startEngine(/** @type {Record<string, Blob>} */ assets) {
 async function add(/** @type {AddOrder} */ { part, assets }) {
   if (part === "simulator") pyodide.registerJsModule("_mujoco_wasm", await engine);
   await unpack(assets);
+  pyodide.runPython("import importlib; importlib.invalidate_caches()");
   if (part === "widgets") {
     const comms = pyodide.pyimport("page_comms");
     comms.connect(sendComm);
@@ -152,6 +153,7 @@ async function add(/** @type {AddOrder} */ { part, assets }) {
  */
 function sendComm(text, buffers) {
   const copies = buffers.toJs().map((one) => one.slice().buffer);
+  buffers.destroy();
   const message = { ...JSON.parse(text), buffers: copies };
   self.postMessage({ kind: "comm", message }, { transfer: copies });
 }
@@ -188,7 +190,8 @@ async function serve(/** @type {MessageEvent<Order>} */ { data: order, ports }) 
     }
   } else if (order.kind === "comm") {
     const { buffers, ...message } = order.message;
-    modules.comms?.deliver(JSON.stringify(message), pyodide.toPy(buffers));
+    const bytes = buffers.map((one) => new Uint8Array(one));
+    modules.comms?.deliver(JSON.stringify(message), bytes);
   } else {
     const said = await (order.kind === "cell" ? runCell(order) : check(order));
     self.postMessage({ kind: "done", said });

@@ -1,4 +1,4 @@
-"""What runs the cells of a page: one session, outputs as in a notebook, errors in the reader's words.
+"""What runs the cells of a page: one session, a notebook's outputs, errors in the reader's words.
 
 The modules run in a browser, but need nothing of one: here they run in this Python.
 """
@@ -53,11 +53,24 @@ def test_outputs_keep_their_order(session: page_cells.Session) -> None:
     assert [one.get("name") for one in outputs] == ["stdout", "stderr", "stdout", None]
 
 
-def test_display_shows_in_the_middle_of_a_cell(session: page_cells.Session) -> None:
-    session.names["display"] = page_outputs.display
-    outputs = run(session, "print('before')\ndisplay(1, 2)\nprint('after')")
+def test_what_is_published_meanwhile_stands_where_it_was_shown(
+    session: page_cells.Session,
+) -> None:
+    session.names["show"] = lambda: page_outputs.publish({"output_type": "display_data"})
+    outputs = run(session, "print('before')\nshow()\nprint('after')")
     kinds = [one["output_type"] for one in outputs]
-    assert kinds == ["stream", "display_data", "display_data", "stream"]
+    assert kinds == ["stream", "display_data", "stream"]
+
+
+@pytest.mark.parametrize(("wait", "left"), [(False, ["b"]), (True, ["b"])])
+def test_clearing_takes_away_what_stood_before(
+    session: page_cells.Session, wait: bool, left: list[str]
+) -> None:
+    session.names["clear"] = lambda: page_outputs.publish(
+        {"output_type": "clear_output", "wait": wait}
+    )
+    outputs = run(session, "print('a')\nclear()\nprint('b', end='')")
+    assert [one["text"] for one in outputs] == left
 
 
 def test_an_object_shows_every_form_it_has() -> None:
@@ -123,7 +136,7 @@ def test_an_endless_print_fills_no_memory_but_is_heard(session: page_cells.Sessi
     heard: list[str] = []
     outputs = session.run("for i in range(5000): print('0123456789')", "cell 1", heard.append)
     text = outputs[0]["text"]
-    assert len(text) < page_outputs.MAX_PRINTED + 100
+    assert len(text) == page_outputs.MAX_PRINTED + len(page_outputs.TOO_MUCH)
     assert text.endswith(page_outputs.TOO_MUCH)
     assert "".join(heard) == text
 
@@ -139,8 +152,8 @@ def test_code_is_not_changed_by_how_the_runner_itself_is_written(
 def test_code_that_is_checked_finds_what_set_up_cells_made_and_no_more(
     session: page_cells.Session,
 ) -> None:
-    json.loads(page_cells.run("given = 1", "cell 1", None, True))
-    json.loads(page_cells.run("tried = 2", "exercise", None, False))
+    json.loads(page_cells.run("given = 1", "cell 1", None, is_setup=True))
+    json.loads(page_cells.run("tried = 2", "exercise", None, is_setup=False))
     assert session.given["given"] == 1
     assert "tried" not in session.given
 

@@ -20,22 +20,10 @@ from typing import Any, TypeAlias
 import pytest
 
 from tools import ROOT
-from tools.vendor import page_widgets
+from tools.vendor import pack_python, page_widgets
 
 Run: TypeAlias = Callable[[str], Any]
 
-#: As much as the IPython of the page asks of what collects outputs.
-OUTPUTS = """
-published = []
-publish = published.append
-
-def make_bundle(obj):
-    forms = getattr(obj, "_repr_mimebundle_", lambda **_: {})(exclude={"image/png"})
-    return {"text/plain": repr(obj), **forms}
-
-def make_error(error):
-    return {"output_type": "error", "ename": type(error).__name__, "evalue": str(error)}
-"""
 PRELUDE = """
 import json
 import page_comms, page_outputs
@@ -60,7 +48,9 @@ def unpacked(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("packages")
     for content in page_widgets.make_widget_assets().values():
         zipfile.ZipFile(io.BytesIO(content)).extractall(folder)
-    (folder / "page_outputs.py").write_text(OUTPUTS)
+    for name, module in pack_python.collect_modules():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(module)
     return folder
 
 
@@ -152,7 +142,7 @@ def test_what_a_callback_prints_goes_back_to_the_page(run: Run) -> None:
     button.on_click(lambda _: print("pressed", "twice"))
     content = {"method": "custom", "content": {"event": "click"}}
     hear(button, {}, data=content)
-    answer = [said(), page_outputs.published]
+    answer = [said(), page_outputs.outputs]
     """
     text = {"output_type": "stream", "name": "stdout", "text": "pressed twice\n"}
     assert run(dedent(code)) == [[[text]], []]
@@ -170,7 +160,16 @@ def test_an_error_in_a_callback_is_told_and_the_next_message_is_heard(run: Run) 
     answer = [*first, said(), slider.value]
     """
     errors, last, again, value = run(dedent(code))
-    assert errors == [[{"output_type": "error", "ename": "ValueError", "evalue": "not 8"}]]
+    assert errors == [
+        [
+            {
+                "output_type": "error",
+                "ename": "ValueError",
+                "evalue": "not 8",
+                "traceback": ["ValueError: not 8"],
+            }
+        ]
+    ]
     assert last == "comm_done"
     assert again[0][0]["evalue"] == "not 9"
     assert value == 9
@@ -202,13 +201,18 @@ def test_interact_shows_what_its_function_prints_and_returns(run: Run) -> None:
     for value in (6, 9):
         hear(slider, {"value": value})
         shown.append(output.outputs)
-    answer = [shown, [o["output_type"] for o in page_outputs.published]]
+    answer = [shown, [o["output_type"] for o in page_outputs.outputs]]
     """
     (first, second, third), published = run(dedent(code))
     assert published == ["display_data"]
     assert [o.get("text") or o["data"]["text/plain"] for o in first] == ["x is 5\n", "10"]
     assert [o.get("text") or o["data"]["text/plain"] for o in second] == ["x is 6\n", "12"]
-    assert third[1] == {"output_type": "error", "ename": "ValueError", "evalue": "too much"}
+    assert third[1] == {
+        "output_type": "error",
+        "ename": "ValueError",
+        "evalue": "too much",
+        "traceback": ["ValueError: too much"],
+    }
 
 
 def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
@@ -223,7 +227,7 @@ def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
         clear_output(wait=True)
         display(HTML("<b>three</b>"))
     display(HTML("outside"))
-    answer = [text, output.outputs, page_outputs.published]
+    answer = [text, output.outputs, page_outputs.outputs]
     """
     text, shown, published = run(dedent(code))
     assert text == [{"output_type": "stream", "name": "stdout", "text": "one\ntwo\n"}]

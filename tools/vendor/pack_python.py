@@ -51,12 +51,14 @@ DROPPED = re.compile(
 )
 LICENSE = re.compile(r"\.dist-info/.*(?:licen[cs]e|copying)[^/]*$", re.IGNORECASE)
 
-NOTICE = """What runs the exercises of this page, and under which license
+NOTICE = """What runs the code of these pages, and under which license
 
 Pyodide {version}: Mozilla Public License 2.0, https://mozilla.org/MPL/2.0/
     Unchanged; its source is at https://github.com/pyodide/pyodide/tree/{version}
 CPython, inside Pyodide: PSF License 2, https://docs.python.org/3/license.html
 NumPy and OpenCV: numpy-licenses.txt and cv2-licenses.txt beside this file
+MuJoCo, its WebAssembly build {mujoco}: Apache License 2.0, mujoco-licenses.txt beside this file
+ipywidgets, anywidget and what they need: widgets-licenses.txt beside this file
 CodeMirror, the editor: editor-licenses.txt beside this file
 """
 
@@ -98,8 +100,7 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     library = ((path.relative_to(ROOT).as_posix(), path.read_bytes()) for path in files)
     assets.append(write_asset(folder, "labutils.zip", make_zip(sorted(library))))
     assets.append(write_asset(folder, WORKER, (SCRIPTS / WORKER).read_bytes()))
-    modules = ((path.name, path.read_bytes()) for path in sorted(SCRIPTS.glob("*.py")))
-    assets.append(write_asset(folder, "page.zip", make_zip(modules)))
+    assets.append(write_asset(folder, "page.zip", make_zip(collect_modules())))
     parts = {"python": assets}
     for part, contents in (
         ("simulator", page_simulator.make_simulator_assets()),
@@ -129,6 +130,13 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     target.rename(PACKED)
     MANIFEST.write_text(json.dumps(manifest, indent=1), encoding="utf-8")
     return manifest
+
+
+def collect_modules() -> Iterator[tuple[str, bytes]]:
+    """Find what runs the cells; a folder called `IPython` would hide the real one from us."""
+    for path in sorted(SCRIPTS.rglob("*.py")):
+        name = path.relative_to(SCRIPTS).as_posix()
+        yield re.sub("^ipython/", "IPython/", name), path.read_bytes()
 
 
 def count_bytes(manifest: dict[str, Any], *parts: str) -> int:
@@ -177,7 +185,7 @@ def _read_lock_info(version: str) -> dict[str, Any]:
 def _fingerprint(wheels: page_wheels.Wheels) -> str:
     """Name what `_build/page_python` should hold."""
     digest = hashlib.sha256((page_python.VENDOR / page_python.STAMP).read_bytes())
-    sources = [Path(__file__), *SCRIPTS.glob("*"), *TABLES.glob("*.npz"), *wheels.files.values()]
+    sources = [Path(__file__), *SCRIPTS.rglob("*.*"), *TABLES.glob("*.npz"), *wheels.files.values()]
     sources += [path for pattern in LIBRARY for path in ROOT.glob(pattern)]
     for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())

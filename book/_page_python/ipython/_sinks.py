@@ -6,7 +6,7 @@ import io
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-import page_outputs  # type: ignore[import-not-found]  # lies beside this package in the page
+import page_outputs
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, ClassVar
 
-import page_outputs  # type: ignore[import-not-found]  # lies beside this package in the page
+import page_outputs
 
 from ._sinks import publish
 
