@@ -24,18 +24,22 @@ from tools.vendor import page_widgets
 
 Run: TypeAlias = Callable[[str], Any]
 
-#: As much as the IPython of the page asks of what collects outputs.
-OUTPUTS = """
+#: As much as widgets ask of the modules that run the cells of a page.
+STAND_INS = {
+    "page_outputs": """
 published = []
-publish = published.append
+publish, clear = published.append, published.clear
 
 def make_bundle(obj):
     forms = getattr(obj, "_repr_mimebundle_", lambda **_: {})(exclude={"image/png"})
     return {"text/plain": repr(obj), **forms}
 
-def make_error(error):
-    return {"output_type": "error", "ename": type(error).__name__, "evalue": str(error)}
-"""
+def display(obj):
+    publish({"output_type": "display_data", "data": make_bundle(obj), "metadata": {}})
+""",
+    "page_cells": "class SESSION:\n    cells = ['cell 1']\n",
+    "page_errors": "def describe(error, name, others):\n    return f'{name}: {error}'\n",
+}
 PRELUDE = """
 import json
 import page_comms, page_outputs
@@ -60,7 +64,8 @@ def unpacked(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("packages")
     for content in page_widgets.make_widget_assets().values():
         zipfile.ZipFile(io.BytesIO(content)).extractall(folder)
-    (folder / "page_outputs.py").write_text(OUTPUTS)
+    for name, text in STAND_INS.items():
+        (folder / f"{name}.py").write_text(text)
     return folder
 
 
@@ -170,7 +175,9 @@ def test_an_error_in_a_callback_is_told_and_the_next_message_is_heard(run: Run) 
     answer = [*first, said(), slider.value]
     """
     errors, last, again, value = run(dedent(code))
-    assert errors == [[{"output_type": "error", "ename": "ValueError", "evalue": "not 8"}]]
+    ((error,),) = errors
+    assert (error["output_type"], error["ename"]) == ("error", "ValueError")
+    assert error["traceback"] == ["a callback: not 8"]
     assert last == "comm_done"
     assert again[0][0]["evalue"] == "not 9"
     assert value == 9
@@ -208,7 +215,18 @@ def test_interact_shows_what_its_function_prints_and_returns(run: Run) -> None:
     assert published == ["display_data"]
     assert [o.get("text") or o["data"]["text/plain"] for o in first] == ["x is 5\n", "10"]
     assert [o.get("text") or o["data"]["text/plain"] for o in second] == ["x is 6\n", "12"]
-    assert third[1] == {"output_type": "error", "ename": "ValueError", "evalue": "too much"}
+    assert third[1]["evalue"] == "too much"
+
+
+def test_an_error_names_the_cell_that_its_callback_stands_in(run: Run) -> None:
+    code = """
+    slider, names = ipywidgets.IntSlider(3), {}
+    exec(compile("def complain(change):\\n    raise ValueError('no')", "cell 1", "exec"), names)
+    slider.observe(names["complain"], "value")
+    hear(slider, {"value": 8})
+    answer = said()[0][0]["traceback"]
+    """
+    assert run(dedent(code)) == ["cell 1: no"]
 
 
 def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
@@ -222,13 +240,25 @@ def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
     with output:
         clear_output(wait=True)
         display(HTML("<b>three</b>"))
+        page_outputs.display(HTML("four"))  # what a cell has built in
     display(HTML("outside"))
     answer = [text, output.outputs, page_outputs.published]
     """
     text, shown, published = run(dedent(code))
     assert text == [{"output_type": "stream", "name": "stdout", "text": "one\ntwo\n"}]
-    assert [o["data"]["text/html"] for o in shown] == ["<b>three</b>"]
+    assert [o["data"]["text/html"] for o in shown] == ["<b>three</b>", "four"]
     assert [o["data"]["text/html"] for o in published] == ["outside"]
+
+
+def test_a_cell_can_clear_what_it_has_shown(run: Run) -> None:
+    code = """
+    from IPython.display import HTML, clear_output, display
+    display(HTML("old"))
+    clear_output()
+    display(HTML("new"))
+    answer = [o["data"]["text/html"] for o in page_outputs.published]
+    """
+    assert run(dedent(code)) == ["new"]
 
 
 def test_numbers_of_numpy_travel_as_numbers(run: Run) -> None:
