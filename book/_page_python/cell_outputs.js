@@ -37,9 +37,7 @@
    */
   function makeWidget(bundle) {
     const element = make("div", "cell-widget");
-    window.cameraLab.widgets?.show(bundle, element).catch((error) => {
-      element.textContent = `This widget cannot be shown: ${error.message}`;
-    });
+    window.cameraLab.widgets?.show(bundle, element);
     return element;
   }
 

@@ -64,7 +64,7 @@ class Session:
         list of dict
             The outputs, as in a notebook; an error is the last one.
         """
-        page_outputs.begin(on_text)
+        page_outputs.current.begin(on_text)
         if name in page_outputs.names:
             page_outputs.names.remove(name)
         page_outputs.names.append(name)
@@ -79,7 +79,7 @@ class Session:
                 self._execute(code, name)
             except BaseException as error:  # noqa: BLE001 - SystemExit must not end the worker either
                 page_outputs.publish(self._make_error(error, code))
-        return page_outputs.outputs
+        return page_outputs.current.outputs
 
     def _execute(self, code: str, name: str) -> None:
         tree = ast.parse(code, name)

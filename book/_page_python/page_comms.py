@@ -61,9 +61,11 @@ def deliver(message: str, buffers: Any = ()) -> None:
     What its callbacks print, show or raise goes back to the page as ``comm_said``.
     """
     content = json.loads(message)
-    # Pyodide hands over an array of JavaScript
-    buffers = buffers.to_py() if hasattr(buffers, "to_py") else buffers
-    told = {"content": content, "metadata": content.get("metadata", {}), "buffers": list(buffers)}
+    told = {
+        "content": content,
+        "metadata": content.get("metadata", {}),
+        "buffers": [_from_page(one) for one in _from_page(buffers)],
+    }
     handlers = {
         "comm_open": _manager.comm_open,
         "comm_msg": _manager.comm_msg,
@@ -78,6 +80,11 @@ def deliver(message: str, buffers: Any = ()) -> None:
             _post({**_head(content, "comm_said"), "data": {"outputs": said.outputs}})
     finally:
         _post({**_head(content, "comm_done"), "data": {"id": content.get("id")}})
+
+
+def _from_page(thing: Any) -> Any:
+    """Return what Pyodide hands over of JavaScript, arrays and buffers, as Python's own."""
+    return thing.to_py() if hasattr(thing, "to_py") else thing
 
 
 class PageComm(BaseComm):

@@ -1,13 +1,14 @@
 """Collect what a cell prints and shows, in the form of a notebook's outputs.
 
-`publish`, `make_bundle` and `make_error` are what the page's IPython and its comms build on. Nothing
-here needs a browser, so tests run it anywhere.
+`publish`, `make_bundle` and `make_error` are what the page's IPython and its comms build on.
+Nothing here needs a browser, so tests run it anywhere.
 """
 
 from __future__ import annotations
 
 import base64
 import io
+import traceback
 from typing import TYPE_CHECKING, Any
 
 from page_errors import describe
@@ -30,66 +31,84 @@ _FORMS = {
     "_repr_latex_": "text/latex",
 }
 
-#: The outputs of the running cell; a cell starts with none.
-outputs: list[dict[str, Any]] = []
-
 #: What tracebacks call the cells that have run, the last one last.
 names: list[str] = []
 
-_clears_next = False
-_printed = 0
-_on_text: Callable[[str], None] | None = None
+
+class CellOutputs:
+    """The outputs of the cell that runs."""
+
+    def __init__(self) -> None:
+        self.outputs: list[dict[str, Any]] = []
+        self._clears_next = False
+        self._printed = 0
+        self._on_text: Callable[[str], None] | None = None
+
+    def begin(self, on_text: Callable[[str], None] | None = None) -> None:
+        """Forget the outputs of the cell before.
+
+        Parameters
+        ----------
+        on_text : callable, optional
+            Hears every text as it is printed, so that the page knows it where the cell never ends.
+        """
+        self.outputs = []
+        self._clears_next = False
+        self._printed, self._on_text = 0, on_text
+
+    def publish(self, output: dict[str, Any]) -> None:
+        """Add an output as notebooks keep it, or clear: now, or with the next one."""
+        if output["output_type"] == "clear_output":
+            self._clears_next = output["wait"]
+            if not output["wait"]:
+                self.outputs.clear()
+            return
+        if self._clears_next:
+            self.outputs.clear()
+            self._clears_next = False
+        self.outputs.append(output)
+
+    def write(self, stream: str, text: str) -> None:
+        """Keep what is printed, up to the limit of a cell."""
+        left = MAX_PRINTED - self._printed
+        self._printed += len(text)
+        if left > 0 and text:
+            self._add(stream, text if len(text) <= left else text[:left] + TOO_MUCH)
+
+    def _add(self, stream: str, text: str) -> None:
+        last = self.outputs[-1] if self.outputs and not self._clears_next else {}
+        if last.get("output_type") == "stream" and last["name"] == stream:
+            last["text"] += text
+        else:
+            self.publish({"output_type": "stream", "name": stream, "text": text})
+        if self._on_text is not None:
+            self._on_text(text)
 
 
-def begin(on_text: Callable[[str], None] | None = None) -> None:
-    """Forget the outputs of the cell before.
-
-    Parameters
-    ----------
-    on_text : callable, optional
-        Hears every text as it is printed, so that the page knows it where the cell never ends.
-    """
-    global _printed, _on_text, _clears_next
-    outputs.clear()
-    _clears_next = False
-    _printed, _on_text = 0, on_text
+#: One cell runs at a time.
+current = CellOutputs()
 
 
 def publish(output: dict[str, Any]) -> None:
-    """Add an output in the notebook's form (``output_type`` and what belongs to it), or clear."""
-    global _clears_next
-    if output["output_type"] == "clear_output":
-        _clears_next = output["wait"]
-        if not _clears_next:
-            outputs.clear()
-        return
-    if _clears_next:
-        outputs.clear()
-        _clears_next = False
-    outputs.append(output)
-
-
-def make_error(error: BaseException) -> dict[str, Any]:
-    """Return an exception as an output, with the reader's own lines."""
-    text = describe(error, names[-1] if names else "", names)
-    kind = type(error).__name__
-    return {"output_type": "error", "ename": kind, "evalue": str(error), "traceback": [text]}
+    """Add an output to the cell that runs."""
+    current.publish(output)
 
 
 def make_bundle(thing: Any) -> dict[str, Any]:
     """Return the forms of an object: kind of content to text; binary content in base64.
 
-    A form that fails is left out, as in a notebook; plain text is always there.
+    Plain text is always among them.
     """
     bundle: dict[str, Any] = {}
+    is_object = not isinstance(thing, type)
     whole = getattr(thing, "_repr_mimebundle_", None)
-    if callable(whole) and not isinstance(thing, type):
+    if callable(whole) and is_object:
         # explorers draw their poster for those who have no widgets: not here
         made = whole(exclude={"image/png"}) if hasattr(thing, "_model_id") else whole()
         bundle = dict((made[0] if isinstance(made, tuple) else made) or {})
     for method, form in _FORMS.items():
         function = getattr(thing, method, None)
-        if form not in bundle and callable(function) and not isinstance(thing, type):
+        if form not in bundle and callable(function) and is_object:
             content = function()
             if content is not None:
                 bundle[form] = content[0] if isinstance(content, tuple) else content
@@ -101,6 +120,16 @@ def _to_text(content: Any) -> Any:
     if isinstance(content, (bytes, bytearray, memoryview)):
         return base64.b64encode(content).decode("ascii")
     return content
+
+
+def make_error(error: BaseException) -> dict[str, Any]:
+    """Return an exception as an output, with the reader's own lines."""
+    frames = [frame.filename for frame in traceback.extract_tb(error.__traceback__)]
+    own = [name for name in frames if name in names]
+    running = names[-1] if names else ""
+    text = describe(error, own[0] if own else running, names)
+    kind = type(error).__name__
+    return {"output_type": "error", "ename": kind, "evalue": str(error), "traceback": [text]}
 
 
 class Stream(io.TextIOBase):
@@ -115,19 +144,6 @@ class Stream(io.TextIOBase):
         return True
 
     def write(self, text: str) -> int:
-        """Keep a text, up to the limit of a cell."""
-        global _printed
-        left = MAX_PRINTED - _printed
-        _printed += len(text)
-        if left > 0:
-            self._add(text if len(text) <= left else text[:left] + TOO_MUCH)
+        """Hand a text to the cell that runs."""
+        current.write(self.name, text)
         return len(text)
-
-    def _add(self, text: str) -> None:
-        last = outputs[-1] if outputs and not _clears_next else {}
-        if last.get("output_type") == "stream" and last["name"] == self.name:
-            last["text"] += text
-        else:
-            publish({"output_type": "stream", "name": self.name, "text": text})
-        if _on_text is not None:
-            _on_text(text)

@@ -64,7 +64,7 @@ def run(code: str, name: str, progress: str) -> str:
     if progress:
         path.write_text(progress, encoding="utf-8")
     printed = Printed()
-    page_outputs.begin()  # what the code shows belongs to Run, and is not kept here
+    page_outputs.current.begin()  # what the code shows belongs to Run, and is not kept here
     with redirect_stdout(printed), redirect_stderr(printed), warnings.catch_warnings():
         namespace, error = run_cell(code)
         if error:

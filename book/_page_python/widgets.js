@@ -3,6 +3,7 @@
 (() => {
   const { makeOutbox, makeWidgetManager, carryValues } = window.cameraLab;
   const VIEW = "application/vnd.jupyter.widget-view+json";
+  const LONGEST_MS = 10_000; // that an element may take until it is in the page
   const STOPPED = "Python was stopped: this no longer reaches it. Run the cell again.";
 
   /** @type {Promise<LiveManager> | null} */
@@ -50,21 +51,42 @@
   }
 
   /**
-   * Show a widget inside an element of the page.
+   * Show a widget inside an element of the page, or say there why not.
    * @param {Bundle} bundle
    * @param {HTMLElement} element
    */
   async function show(bundle, element) {
-    const { model_id } = /** @type {{ model_id: string }} */ (bundle[VIEW]);
-    live ??= start();
-    const { manager } = await live;
-    const model = await manager.get_model(model_id);
-    const place = document.createElement("div");
-    place.className = "widget-subarea widget-live";
-    element.append(place);
-    const view = await manager.create_view(model);
-    await manager.display_view(view, place);
-    Object.assign(place, { liveView: view, liveIds: collectIds(model) });
+    try {
+      const { model_id } = /** @type {{ model_id: string }} */ (bundle[VIEW]);
+      live ??= start();
+      const { manager } = await live;
+      const model = await manager.get_model(model_id);
+      const view = await manager.create_view(model);
+      await waitUntilConnected(element);
+      const place = document.createElement("div");
+      place.className = "widget-subarea widget-live";
+      element.append(place);
+      await manager.display_view(view, place);
+      Object.assign(place, { liveView: view, liveIds: collectIds(model) });
+    } catch (thrown) {
+      const problem = document.createElement("pre");
+      problem.textContent = `This widget cannot be shown: ${toMessage(thrown)}`;
+      element.append(problem);
+    }
+  }
+
+  /** What went wrong, in words; require.js and the manager throw what they like. */
+  function toMessage(/** @type {unknown} */ thrown) {
+    return thrown instanceof Error ? thrown.message : String(thrown);
+  }
+
+  /** A widget can be attached only to what is in the page; whoever made the element puts it there. */
+  async function waitUntilConnected(/** @type {Element} */ element) {
+    const latest = performance.now() + LONGEST_MS;
+    while (!element.isConnected) {
+      if (performance.now() > latest) throw new Error("its place is not in the page");
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
   }
 
   /**

@@ -24,7 +24,8 @@
    * @returns {Promise<never>}
    */
   function requireModule(name) {
-    return new Promise((resolve, reject) => window.requirejs([name], resolve, reject));
+    const load = /** @type {RequireModules} */ (/** @type {unknown} */ (window.requirejs));
+    return new Promise((resolve, reject) => load([name], resolve, reject));
   }
 
   async function loadModule() {

@@ -7,8 +7,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-import live_cells
 import pytest
+
+import live_cells
 
 HTML = Path(__file__).resolve().parents[2] / "_build" / "html"
 DATA = re.compile(r'<script type="application/json" id="python-data">(.*?)</script>', re.DOTALL)

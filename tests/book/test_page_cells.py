@@ -21,7 +21,7 @@ Outputs = list[dict[str, Any]]
 def session(monkeypatch: pytest.MonkeyPatch) -> Iterator[page_cells.Session]:
     monkeypatch.setattr(page_cells, "SESSION", page_cells.Session())
     yield page_cells.SESSION
-    page_outputs.begin()
+    page_outputs.current.begin()
 
 
 def run(session: page_cells.Session, code: str, number: int = 1) -> Outputs:

@@ -142,7 +142,7 @@ def test_what_a_callback_prints_goes_back_to_the_page(run: Run) -> None:
     button.on_click(lambda _: print("pressed", "twice"))
     content = {"method": "custom", "content": {"event": "click"}}
     hear(button, {}, data=content)
-    answer = [said(), page_outputs.outputs]
+    answer = [said(), page_outputs.current.outputs]
     """
     text = {"output_type": "stream", "name": "stdout", "text": "pressed twice\n"}
     assert run(dedent(code)) == [[[text]], []]
@@ -201,18 +201,28 @@ def test_interact_shows_what_its_function_prints_and_returns(run: Run) -> None:
     for value in (6, 9):
         hear(slider, {"value": value})
         shown.append(output.outputs)
-    answer = [shown, [o["output_type"] for o in page_outputs.outputs]]
+    answer = [shown, [o["output_type"] for o in page_outputs.current.outputs]]
     """
     (first, second, third), published = run(dedent(code))
     assert published == ["display_data"]
     assert [o.get("text") or o["data"]["text/plain"] for o in first] == ["x is 5\n", "10"]
     assert [o.get("text") or o["data"]["text/plain"] for o in second] == ["x is 6\n", "12"]
-    assert third[1] == {
-        "output_type": "error",
-        "ename": "ValueError",
-        "evalue": "too much",
-        "traceback": ["ValueError: too much"],
-    }
+    assert third[1]["evalue"] == "too much"
+
+
+def test_an_error_names_the_cell_that_its_callback_stands_in(run: Run) -> None:
+    code = """
+    import page_outputs
+    page_outputs.names.append("cell 1")
+    slider, names = ipywidgets.IntSlider(3), {}
+    exec(compile("def complain(change):\\n    raise ValueError('no')", "cell 1", "exec"), names)
+    slider.observe(names["complain"], "value")
+    hear(slider, {"value": 8})
+    answer = said()[0][0]["traceback"]
+    """
+    (text,) = run(dedent(code))
+    assert text.startswith("In cell 1:\n  line 2 in complain: ")
+    assert "ValueError: no" in text
 
 
 def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
@@ -227,12 +237,23 @@ def test_an_output_widget_takes_what_is_shown_inside_it_only(run: Run) -> None:
         clear_output(wait=True)
         display(HTML("<b>three</b>"))
     display(HTML("outside"))
-    answer = [text, output.outputs, page_outputs.outputs]
+    answer = [text, output.outputs, page_outputs.current.outputs]
     """
     text, shown, published = run(dedent(code))
     assert text == [{"output_type": "stream", "name": "stdout", "text": "one\ntwo\n"}]
     assert [o["data"]["text/html"] for o in shown] == ["<b>three</b>"]
     assert [o["data"]["text/html"] for o in published] == ["outside"]
+
+
+def test_a_cell_can_clear_what_it_has_shown(run: Run) -> None:
+    code = """
+    from IPython.display import HTML, clear_output, display
+    display(HTML("old"))
+    clear_output()
+    display(HTML("new"))
+    answer = [o["data"]["text/html"] for o in page_outputs.current.outputs]
+    """
+    assert run(dedent(code)) == ["new"]
 
 
 def test_numbers_of_numpy_travel_as_numbers(run: Run) -> None:

@@ -33,7 +33,7 @@ def redirect(sink: Callable[[Output], None]) -> Iterator[None]:
         with redirect_stdout(_Stream("stdout")), redirect_stderr(_Stream("stderr")):
             yield
     finally:
-        _sinks.remove(sink)
+        _sinks.pop()
 
 
 class OutputList:

@@ -3,9 +3,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+/** @type {any} */
+const good = { result: "ran" };
+
 /** A page of cells whose Python answers as `answer` says, and what was run, in order. */
-async function makePage(codes, answer = () => ({ result: "ran" })) {
+async function makePage(codes, answer = (/** @type {any} */ _order) => good) {
+  /** @type {any[]} */
   const ran = [];
+  /** @type {(() => void)[]} */
   const listeners = [];
   const python = {
     run({ order, parts, say }) {
@@ -18,8 +23,8 @@ async function makePage(codes, answer = () => ({ result: "ran" })) {
     },
     listenForEnd: (listener) => listeners.push(listener),
   };
-  globalThis.Node = { DOCUMENT_POSITION_FOLLOWING: 4 };
-  globalThis.window = { cameraLab: { python, assets: {}, outputs: {} } };
+  /** @type {any} */ (globalThis).Node = { DOCUMENT_POSITION_FOLLOWING: 4 };
+  /** @type {any} */ (globalThis).window = { cameraLab: { python, assets: {}, outputs: {} } };
   await import(`../../../book/_page_python/session.js?${Math.random()}`);
   const { session } = window.cameraLab;
   const cells = codes.map((code, place) => makeCell(code, place));
