@@ -5,8 +5,9 @@ It draws what an OpenGL viewer would, on a machine that has none, and the same p
 
 from __future__ import annotations
 
-import matplotlib as mpl
 import numpy as np
+
+from labutils._drawing.color_maps import find_steps, get_table
 
 
 def make_look_at(eye: np.ndarray, target: np.ndarray, up: np.ndarray) -> np.ndarray:
@@ -100,7 +101,8 @@ def get_depth_colors(points: np.ndarray) -> np.ndarray:
     """Color points by their third coordinate in turbo; return RGB in [0, 1], shape (N, 3)."""
     z = points[:, 2]
     span = np.ptp(z) or 1.0
-    return mpl.colormaps["turbo"]((z - z.min()) / span)[:, :3]
+    steps = find_steps(z, (float(z.min()), float(z.min() + span)))
+    return get_table("turbo")[steps] / 255
 
 
 def get_view_point(
