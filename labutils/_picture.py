@@ -79,8 +79,8 @@ class SvgPicture(Picture):
             Always: without Matplotlib nothing here turns a figure into pixels.
         """
         raise AttributeError(
-            "png: expected a figure drawn with Matplotlib, got one in SVG (`svg`), because Matplotlib "
-            "is not installed"
+            "png: expected a figure drawn with Matplotlib, got one in SVG (`svg`): "
+            "Matplotlib is not installed"
         )
 
     @property

@@ -16,7 +16,7 @@ from labutils._drawing import draw
 from labutils._drawing.parts import ColorBar, Curve, Panel, Plot, Sheet
 from labutils._drawing.scales import Axis, get_limits, get_range, widen
 from labutils._drawing.style import CATEGORY_COLORS, WIDTHS
-from labutils._guards import check_columns, check_depth_image
+from labutils._guards import check_columns, check_curve, check_depth_image, check_picture
 from labutils._picture import Picture
 from labutils._splat import (
     get_depth_colors,
@@ -30,7 +30,7 @@ from labutils.cameras import intrinsics_matrix
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-#: The camera that draws a cloud: width and height in pixels, and K with f = 1300.
+#: The camera that draws a cloud: size in pixels, and K with f = 1300.
 _CLOUD_SIZE = (1440, 1000)
 _CLOUD_K = intrinsics_matrix(2 * np.arctan(500 / 1300), *_CLOUD_SIZE)
 
@@ -64,9 +64,18 @@ def plot_images(
     Returns
     -------
     Picture
+
+    Raises
+    ------
+    ValueError
+        If there is no picture, or one has another shape.
     """
+    if not images:
+        raise ValueError("images: expected at least one picture, got none")
     columns = columns or len(images)
-    panels = tuple(Panel(title, image) for title, image in images.items())
+    panels = tuple(
+        Panel(title, check_picture(f"images[{title!r}]", image)) for title, image in images.items()
+    )
     rows, first = -(-len(panels) // columns), panels[0].pixels
     cell = WIDTHS[width] / columns
     height = rows * (cell * first.shape[0] / first.shape[1] + 0.36)
@@ -177,14 +186,10 @@ def plot_histogram(
     Picture
     """
     finite = {name: v[np.isfinite(v)].ravel() for name, v in samples.items()}
-    low, high = limits or (
-        min(v.min() for v in finite.values()),
-        max(v.max() for v in finite.values()),
-    )
-    low, high = widen(low, high)
+    span = widen(*(limits or get_limits(np.concatenate(list(finite.values())), margin=0)))
     curves = []
     for name, values in finite.items():
-        counts, edges = np.histogram(values, bins, (low, high))
+        counts, edges = np.histogram(values, bins, span)
         curves.append(Curve(name, edges, counts, steps=True))
     counts = np.concatenate([curve.y for curve in curves])
     count_limits = get_limits(counts, log=True) if log else (0.0, 1.05 * max(counts.max(), 1))
@@ -194,7 +199,7 @@ def plot_histogram(
             WIDTHS["full"],
             2.6,
             tuple(curves),
-            Axis(label, (low, high)),
+            Axis(label, span),
             Axis("pixels", count_limits, log),
             line_width=1.6,
             naming="legend" if len(finite) > 1 else "none",
@@ -226,8 +231,14 @@ def plot_lines(
     Returns
     -------
     Picture
+
+    Raises
+    ------
+    ValueError
+        If a curve has no finite value.
     """
-    curves = tuple(Curve(name, x, y) for name, y in lines.items())
+    x = np.asarray(x)
+    curves = tuple(Curve(name, x, check_curve(f"lines[{name!r}]", y)) for name, y in lines.items())
     heights = np.concatenate([curve.y for curve in curves])
     shown = np.concatenate([curve.x[np.isfinite(curve.y)] for curve in curves])
     return draw(

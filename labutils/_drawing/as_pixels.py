@@ -13,6 +13,7 @@ import numpy as np
 
 from labutils._drawing.plot_layout import lay_out_plot
 from labutils._drawing.shapes import Dot, Stroke, Text
+from labutils._drawing.style import MINUS, TIMES
 from labutils._drawing.text_widths import EXPONENT_RISE, EXPONENT_SIZE
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ _SHIFT = 4  # OpenCV's coordinates have so many bits after the point
 _FONT = cv2.FONT_HERSHEY_SIMPLEX
 _CAPITAL = 21  # height of a capital letter of this font at scale 1, in pixels
 _CAPITAL_SHARE = 0.73  # of a font size, in the fonts of SVG
-_ASCII = str.maketrans({"−": "-", "×": "x", "°": " deg", "µ": "u"})
+_ASCII = str.maketrans({MINUS: "-", TIMES: "x", "°": " deg", "µ": "u"})
 _THICK = 2  # of letters, in pixels of the finer drawing
 #: Share of a text that stands before its place.
 _BEFORE = {"start": 0.0, "middle": 0.5, "end": 1.0}

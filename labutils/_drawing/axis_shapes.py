@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from labutils._drawing.shapes import Anchor, Shape, Stroke, Text
+from labutils._drawing.shapes import Shape, Stroke, Text
 from labutils._drawing.style import FONT_SIZE, PIXELS_PER_POINT, TITLE_SIZE
 from labutils._drawing.text_widths import EXPONENT_SIZE, measure
 
@@ -26,7 +26,6 @@ LABEL_GAP = 4 * PIXELS_PER_POINT
 LINE_WIDTH = 0.8 * PIXELS_PER_POINT
 _MINOR_TICK = 2 * PIXELS_PER_POINT
 _MINOR_LINE_WIDTH = 0.6 * PIXELS_PER_POINT
-NOTE_GAP = 3 * PIXELS_PER_POINT
 
 # Shares of the font size: from the baseline to the top, and to the bottom, of a line of text.
 ASCENT = 0.76
@@ -41,6 +40,8 @@ TITLE_HEIGHT = ASCENT * TITLE_FONT + TITLE_GAP
 #: How far the label of a tick reaches above and below it.
 ABOVE_TICK = ASCENT * FONT - _HALF_DIGIT
 BELOW_TICK = DESCENT * FONT + _HALF_DIGIT
+_NOTE_GAP = 3 * PIXELS_PER_POINT
+_NOTE_HEIGHT = _NOTE_GAP + ASCENT * FONT
 #: From an axis to the labels of its ticks.
 BESIDE_AXIS = TICK + TICK_GAP
 
@@ -107,6 +108,16 @@ def _make_label(label: Label, place: float, axis: float, side: Side) -> Text:
     return Text("tick", text, axis - BESIDE_AXIS, base, "end", exponent=exponent)
 
 
-def draw_note(ticks: Ticks, x: float, y: float, anchor: Anchor) -> list[Shape]:
-    """Write what all labels of an axis share, if there is anything."""
-    return [Text("note", ticks.note, x, y, anchor)] if ticks.note else []
+def measure_note(ticks: Ticks) -> float:
+    """Return how much room what all labels share needs above an axis."""
+    return _NOTE_HEIGHT if ticks.note else 0.0
+
+
+def draw_note_above(ticks: Ticks, x: float, y: float) -> list[Shape]:
+    """Write what all labels share above an axis that begins at (x, y)."""
+    return [Text("note", ticks.note, x, y - _NOTE_GAP, "start")] if ticks.note else []
+
+
+def draw_note_below(ticks: Ticks, x: float, y: float) -> list[Shape]:
+    """Write what all labels share below an axis that ends at x; `y` is the label's baseline."""
+    return [Text("note", ticks.note, x, y, "end")] if ticks.note else []

@@ -15,13 +15,15 @@ from labutils._drawing.axis_shapes import (
     LABEL_GAP,
     LINE,
     LINE_WIDTH,
-    NOTE_GAP,
     PAD,
     count_labels_below,
     count_labels_beside,
-    draw_note,
+    draw_note_above,
+    draw_note_below,
     draw_ticks,
+    measure_label,
     measure_labels,
+    measure_note,
 )
 from labutils._drawing.color_maps import get_table
 from labutils._drawing.scales import Axis
@@ -32,20 +34,23 @@ if TYPE_CHECKING:
     from labutils._drawing.parts import ColorBar, Panel
 
 _GAP_ABOVE = 0.05  # share of the width of a picture
+#: From the lower edge of a bar to that of the figure: ticks, their labels, the label.
+_LABELS_BELOW = BESIDE_AXIS + LINE + LABEL_GAP + LINE + PAD
 
 
 def place_beside(bar: ColorBar, panel: Panel, width: float, height: float) -> Box:
     """Place a bar at the right edge of a figure; it is as tall as the figure."""
     axis = _get_axis(bar, panel)
-    ticks = make_ticks(axis, count_labels_beside(height - 2 * PAD))
-    first, last = axis.to_share(ticks.values[[0, -1]])
-    length = height - 2 * PAD
-    above = max(ABOVE_TICK - (1 - last) * length, LINE + NOTE_GAP if ticks.note else 0.0)
-    below = max(BELOW_TICK - first * length, 0.0)
-    length -= above + below
+    length, above, outside = height - 2 * PAD, 0.0, 0.0
+    for _ in range(2):  # its ticks depend on its length, and that on the labels of the ticks
+        ticks = make_ticks(axis, count_labels_beside(length))
+        first, last = (1.0, 0.0) if not ticks.labels else axis.to_share(ticks.values[[0, -1]])
+        above = max(ABOVE_TICK - (1 - last) * length, measure_note(ticks))
+        below = max(BELOW_TICK - first * length, 0.0)
+        length = height - 2 * PAD - above - below
+        outside = BESIDE_AXIS + measure_labels(ticks) + LABEL_GAP + LINE + PAD
     thick = length / bar.aspect
-    outside = thick + BESIDE_AXIS + measure_labels(ticks) + LABEL_GAP + LINE + PAD
-    return Box(width - outside, PAD + above, thick, length)
+    return Box(width - outside - thick, PAD + above, thick, length)
 
 
 def draw_beside(bar: ColorBar, panel: Panel, box: Box) -> list[Shape]:
@@ -56,20 +61,31 @@ def draw_beside(bar: ColorBar, panel: Panel, box: Box) -> list[Shape]:
     labels = draw_ticks(ticks, places, np.empty(0), box.right, "right")
     x = box.right + BESIDE_AXIS + measure_labels(ticks) + LABEL_GAP + ASCENT * FONT
     label = Text("label", bar.label, x, box.y + box.height / 2, is_turned=True)
-    note = draw_note(ticks, box.x, box.y - NOTE_GAP, "start")
+    note = draw_note_above(ticks, box.x, box.y)
     colors = get_table(panel.color_map)[::-1, None]
     return [*_draw_strip(colors, box), *labels, label, *note]
 
 
 def measure_below(bar: ColorBar, cell: float) -> float:
     """Return how much room a bar needs below pictures that are `cell` wide."""
+    return _GAP_ABOVE * cell + _measure_length(bar, cell) / bar.aspect + _LABELS_BELOW
+
+
+def measure_beyond(bar: ColorBar, panel: Panel, cell: float) -> tuple[float, float]:
+    """Return how far the labels of a bar below pictures reach beyond its left and right end."""
+    axis = _get_axis(bar, panel)
+    length = _measure_length(bar, cell)
+    ticks = make_ticks(axis, count_labels_below(length))
+    shares = axis.to_share(ticks.values)
+    halves = [measure_label(label) / 2 for label in ticks.labels]
+    left = [half - share * length for half, share in zip(halves, shares, strict=True)]
+    right = [half - (1 - share) * length for half, share in zip(halves, shares, strict=True)]
+    return max(left, default=0.0), max(right, default=0.0)
+
+
+def _measure_length(bar: ColorBar, cell: float) -> float:
     count = len(bar.panels)
-    width = cell * count + 2 * PAD * (count - 1)
-    return _GAP_ABOVE * cell + width / bar.aspect + _LABELS_BELOW
-
-
-#: From the lower edge of a bar to that of the figure: ticks, their labels, the label.
-_LABELS_BELOW = BESIDE_AXIS + LINE + LABEL_GAP + LINE + PAD
+    return cell * count + 2 * PAD * (count - 1)
 
 
 def draw_below(bar: ColorBar, panel: Panel, above: list[Box], height: float) -> list[Shape]:
@@ -83,7 +99,7 @@ def draw_below(bar: ColorBar, panel: Panel, above: list[Box], height: float) -> 
     labels = draw_ticks(ticks, places, np.empty(0), box.bottom, "below")
     base = height - PAD - LINE + ASCENT * FONT
     label = Text("label", bar.label, x + box.width / 2, base)
-    note = draw_note(ticks, right, base, "end")
+    note = draw_note_below(ticks, right, base)
     colors = get_table(panel.color_map)[None]
     return [*_draw_strip(colors, box), *labels, label, *note]
 

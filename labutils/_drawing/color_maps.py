@@ -82,3 +82,10 @@ def paint(values: np.ndarray, name: ColorMap, limits: Limits | None = None) -> n
     if finite.all():
         return rgb
     return np.dstack([rgb, np.where(finite, np.uint8(255), np.uint8(0))])
+
+
+def to_bytes(pixels: np.ndarray) -> np.ndarray:
+    """Return RGB or RGBA as uint8: real numbers from 0 to 1, or whole ones from 0 to 255."""
+    if pixels.dtype.kind == "f":
+        pixels = 255 * np.nan_to_num(pixels)
+    return np.clip(pixels, 0, 255).astype(np.uint8)

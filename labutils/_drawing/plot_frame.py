@@ -10,7 +10,6 @@ from labutils._drawing.axis_shapes import (
     FONT,
     LABEL_GAP,
     LINE,
-    NOTE_GAP,
     PAD,
     TITLE_FONT,
     TITLE_HEIGHT,
@@ -18,6 +17,7 @@ from labutils._drawing.axis_shapes import (
     count_labels_beside,
     measure_label,
     measure_labels,
+    measure_note,
 )
 from labutils._drawing.end_labels import find_ends, find_shifts
 from labutils._drawing.shapes import Box
@@ -47,11 +47,13 @@ class Frame(NamedTuple):
 def find_frame(plot: Plot, width: float, height: float) -> Frame:
     """Make room in a figure of a size for all texts around the axes."""
     box = Box(0, 0, _FIRST_SHARE * width, _FIRST_SHARE * height)
-    title = wrap(plot.title, TITLE_FONT, width - 2 * PAD)
+    title: list[str] = []
     for _ in range(_TRIES):
         x_ticks = make_ticks(plot.x, count_labels_below(box.width))
         y_ticks = make_ticks(plot.y, count_labels_beside(box.height))
         x, wide = _fit_width(plot, width, x_ticks, y_ticks)
+        middle = x + wide / 2
+        title = wrap(plot.title, TITLE_FONT, 2 * min(middle, width - middle))
         y, tall = _fit_height(plot, height, y_ticks, len(title))
         box = Box(x, y, wide, tall)
     return Frame(box, x_ticks, y_ticks, title)
@@ -79,8 +81,7 @@ def _fit_height(plot: Plot, height: float, y_ticks: Ticks, title: int) -> tuple[
     label = LINE + LABEL_GAP if plot.x.label else 0.0
     bottom = height - PAD - label - LINE - BESIDE_AXIS
     above = TITLE_HEIGHT + (title - 1) * TITLE_LINE if title else 0.0
-    note = LINE + NOTE_GAP if y_ticks.note else 0.0
-    reaching = [(1.0, max(above, note))]
+    reaching = [(1.0, max(above, measure_note(y_ticks)))]
     reaching += [(float(share), ABOVE_TICK) for share in plot.y.to_share(y_ticks.values)]
     if plot.naming == "ends":
         ends = plot.y.to_share(find_ends(plot)[:, 1])

@@ -13,11 +13,10 @@ from labutils._drawing.axis_shapes import (
     LABEL_GAP,
     LINE,
     LINE_WIDTH,
-    NOTE_GAP,
-    PAD,
     TITLE_FONT,
     TITLE_GAP,
-    draw_note,
+    draw_note_above,
+    draw_note_below,
     draw_ticks,
     measure_labels,
 )
@@ -111,8 +110,8 @@ def _draw_axes(plot: Plot, frame: Frame) -> list[Shape]:
         Stroke("axis", corner, LINE_WIDTH),
         *draw_ticks(x_ticks, x_places, x_minor, box.bottom, "below"),
         *draw_ticks(y_ticks, y_places, y_minor, box.x, "left"),
-        *draw_note(x_ticks, box.right, below, "end"),
-        *draw_note(y_ticks, box.x, box.y - NOTE_GAP, "start"),
+        *draw_note_below(x_ticks, box.right, below),
+        *draw_note_above(y_ticks, box.x, box.y),
         *(text for text in texts if text.text),
     ]
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from labutils._drawing import color_bar
 from labutils._drawing.axis_shapes import PAD, TITLE_FONT, TITLE_GAP, TITLE_HEIGHT
-from labutils._drawing.color_maps import paint
+from labutils._drawing.color_maps import paint, to_bytes
 from labutils._drawing.shapes import Bitmap, Box, Drawing, Shape, Text
 from labutils._drawing.style import BAR_GAP, PIXELS_PER_INCH
 
@@ -33,7 +35,7 @@ def lay_out_sheet(sheet: Sheet) -> Drawing:
 
 def _place_in_rows(sheet: Sheet, width: float, height: float) -> list[Box]:
     """Give every picture its cell; it keeps its proportions and stands in the middle."""
-    cell = width / sheet.columns - 2 * PAD
+    starts, cell = _place_columns(sheet, width)
     row_height = height / sheet.rows
     title = TITLE_HEIGHT if any(panel.title for panel in sheet.panels) else 0.0
     below = max((color_bar.measure_below(bar, cell) for bar in sheet.bars), default=PAD)
@@ -44,9 +46,22 @@ def _place_in_rows(sheet: Sheet, width: float, height: float) -> list[Box]:
     boxes = []
     for number, (wide, tall) in enumerate(sizes):
         row, column = divmod(number, sheet.columns)
-        x = column * width / sheet.columns + PAD + (cell - wide) / 2
+        x = starts[column] + (cell - wide) / 2
         boxes.append(Box(x, row * row_height + start + (tallest - tall) / 2, wide, tall))
     return boxes
+
+
+def _place_columns(sheet: Sheet, width: float) -> tuple[np.ndarray, float]:
+    """Return the left edges of all columns and their width; labels of color bars need room too."""
+    cell = width / sheet.columns - 2 * PAD
+    before, after = np.zeros(sheet.columns), np.zeros(sheet.columns)
+    for bar in sheet.bars:
+        left, right = color_bar.measure_beyond(bar, sheet.panels[bar.panels[0]], cell)
+        before[bar.panels[0]] = max(left, 0)
+        after[bar.panels[-1]] = max(right, 0)
+    cell -= (before + after).sum() / sheet.columns
+    ends = np.cumsum(PAD + before + cell + after + PAD)
+    return ends - PAD - after - cell, cell
 
 
 def _draw_beside_bar(panel: Panel, bar: ColorBar, width: float, height: float) -> list[Shape]:
@@ -68,9 +83,10 @@ def _fit(panel: Panel, width: float, height: float) -> tuple[float, float]:
 
 
 def _draw_panel(panel: Panel, box: Box) -> list[Shape]:
-    pixels = panel.pixels
-    if pixels.ndim == 2:
-        pixels = paint(pixels, panel.color_map, panel.limits)
+    if panel.pixels.ndim == 2:
+        pixels = paint(panel.pixels, panel.color_map, panel.limits)
+    else:
+        pixels = to_bytes(panel.pixels)
     middle = box.x + box.width / 2
     title = Text("title", panel.title, middle, box.y - TITLE_GAP, size=TITLE_FONT)
     return [Bitmap("picture", box, pixels), *([title] if panel.title else [])]

@@ -26,6 +26,10 @@ FONT_SIZE = 11  # on a phone a figure is half as wide
 TITLE_SIZE = 12
 END_LABEL_SHIFT = 6  # from the end of a curve to its name
 
+#: Signs of mathematics in texts, which are neither a hyphen nor the letter x.
+MINUS = "\N{MINUS SIGN}"
+TIMES = "\N{MULTIPLICATION SIGN}"
+
 #: Room between a picture and the color bar on its right, as a share of the picture's width.
 BAR_GAP = 0.02
 

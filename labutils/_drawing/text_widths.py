@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from labutils._drawing.style import MINUS, TIMES
+
 #: The font of Matplotlib's figures, and one with the same widths where that is missing.
 FONT_FAMILY = "'DejaVu Sans',Verdana,Geneva,sans-serif"
 
@@ -19,7 +21,7 @@ _ASCII = (
     500, 613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612,
     635, 635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838,
 )  # fmt: skip
-_OTHERS = {"−": 838, "×": 838, "°": 500, "µ": 636, "·": 318, "²": 401, "³": 401}
+_OTHERS = {MINUS: 838, TIMES: 838, "°": 500, "µ": 636, "·": 318, "²": 401, "³": 401}
 _UNKNOWN = 640
 
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from labutils._drawing.style import MINUS
+
 if TYPE_CHECKING:
     from labutils._drawing.scales import Limits
 
@@ -15,7 +17,6 @@ if TYPE_CHECKING:
 _SMALL, _LARGE = -5, 6
 #: A common summand is split off where it saves this many digits.
 _SAVED_DIGITS = 4
-MINUS = "−"  # as wide as a plus, unlike the hyphen
 
 
 def write_ticks(values: np.ndarray, limits: Limits) -> tuple[list[str], str]:
@@ -33,7 +34,7 @@ def write_ticks(values: np.ndarray, limits: Limits) -> tuple[list[str], str]:
     texts : list of str
         One per value.
     note : str
-        What all have in common, as "1e−6" or "+1.5"; empty for most axes.
+        What all have in common, as "1e6" or "+1.5"; empty for most axes.
     """
     low, high = limits
     shown = values[(values >= low) & (values <= high)]

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from labutils._drawing.tick_labels import MINUS, write_ticks
+from labutils._drawing.style import MINUS, TIMES
+from labutils._drawing.tick_labels import write_ticks
 
 if TYPE_CHECKING:
     from labutils._drawing.scales import Axis, Limits
@@ -101,7 +102,7 @@ def _make_log_ticks(limits: Limits, most: int) -> Ticks:
     low, high = (float(x) for x in np.log10(limits))
     first, last = math.ceil(low), math.floor(high)
     powers = _choose_powers(first, last, most)
-    multiples = np.empty(0)
+    multiples: np.ndarray = np.empty(0)
     if len(powers) == last - first + 1 < _MOST_DECADES_WITH_MULTIPLES:
         decades = 10.0 ** np.arange(first - 1, last + 1)
         multiples = (decades[:, None] * np.arange(2, 10)).ravel()
@@ -127,7 +128,7 @@ def _write_power(value: float) -> tuple[int, Label]:
     """Return the factor before the power of ten, and the label."""
     power = math.floor(math.log10(value) + _ROUNDING)
     factor = round(value / 10.0**power)
-    text = "10" if factor == 1 else f"{factor}×10"
+    text = "10" if factor == 1 else f"{factor}{TIMES}10"
     return factor, Label(text, str(power).replace("-", MINUS))
 
 

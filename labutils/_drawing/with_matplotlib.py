@@ -85,7 +85,7 @@ def make_sheet(sheet: Sheet) -> Figure:
 
 def _add_bar(figure: Figure, bar: ColorBar, images: list[AxesImage], axes: list[Axes]) -> None:
     beside = [axes[place] for place in bar.panels]
-    gap = {"pad": style.BAR_GAP} if bar.side == "right" else {}
+    gap: dict[str, Any] = {"pad": style.BAR_GAP} if bar.side == "right" else {}
     figure.colorbar(
         images[bar.panels[-1]],
         ax=beside if len(beside) > 1 else beside[0],
