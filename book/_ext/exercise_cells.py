@@ -97,7 +97,7 @@ def make_data(tables: dict[str, Any], names: list[str]) -> dict[str, Any]:
     exercises = {
         name: {
             "hints": words[name]["hints"],
-            "example": words[name].get("example", ""),
+            "example": words[name]["example"],
             "parts": ["simulator"] if load_table(name).needs_mujoco else [],
         }
         for name in names

@@ -10,7 +10,6 @@
   /** Tags of cells that need what no page has: what is said instead of running them. */
   const SKIPPED = new Map([
     ["needs-process", "This cell starts another program, which a page cannot: run the notebook."],
-    ["needs-open3d", "This cell needs Open3D, which no page has: run the notebook."],
   ]);
 
   /** @type {LiveCell[]} */

@@ -55,8 +55,7 @@ def test_a_cell_far_below_runs_after_those_above_it(seen: dict[str, Any]) -> Non
     assert seen["below"]["result"] == "ran"
     assert seen["below"]["pictures"] >= 1
     assert {cell["result"] for cell in seen["above"]} == {"ran"}
-        cell for cell in seen["above"][1:] if cell["isYoursShown"] and cell["isBuiltShown"]
-    ] == []
+    # nobody has asked to see those, so the book's outputs stay, and the page does not move
     assert all(cell["isBuiltShown"] for cell in seen["above"] if cell["builtPictures"])
     assert abs(seen["moved"]) <= 2
 

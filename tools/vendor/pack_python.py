@@ -37,6 +37,7 @@ SCRIPTS = ROOT / "book" / "_page_python"
 WORKER = "worker.js"
 LIBRARY = (
     "labutils/*.py",
+    "labutils/_drawing/*.py",
     "labutils/checks/*.py",
     "labutils/checks/*/*.py",
     "labutils/checks/tables/exercises.json",
@@ -117,7 +118,9 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     shutil.copyfile(vendor / page_python.EDITOR, folder / page_python.EDITOR)
     licenses = (vendor / page_python.EDITOR_LICENSES).read_text(encoding="utf-8")
     _write(folder / "licenses" / page_python.EDITOR_LICENSES, licenses)
-    _write(folder / "licenses" / "NOTICE.txt", NOTICE.format(version=version))
+    _write(folder / "licenses" / "widgets-licenses.txt", page_widgets.read_widget_licenses())
+    notice = NOTICE.format(version=version, mujoco=page_simulator.get_version())
+    _write(folder / "licenses" / "NOTICE.txt", notice)
     manifest = {
         "version": wanted,
         "parts": parts,
@@ -187,6 +190,7 @@ def _fingerprint(wheels: page_wheels.Wheels) -> str:
     digest = hashlib.sha256((page_python.VENDOR / page_python.STAMP).read_bytes())
     sources = [Path(__file__), *SCRIPTS.rglob("*.*"), *TABLES.glob("*.npz"), *wheels.files.values()]
     sources += [path for pattern in LIBRARY for path in ROOT.glob(pattern)]
+    sources += page_widgets.list_widget_sources()
     for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     digest.update(repr(wheels.remote).encode())
