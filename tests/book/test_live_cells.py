@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,8 @@ import pytest
 
 import live_cells
 
-HTML = Path(__file__).resolve().parents[2] / "_build" / "html"
+ROOT = Path(__file__).resolve().parents[2]
+HTML = ROOT / "_build" / "html"
 DATA = re.compile(r'<script type="application/json" id="python-data">(.*?)</script>', re.DOTALL)
 CELL = 'class="cell_input docutils container"'
 
@@ -76,3 +78,10 @@ def test_data_for_scripts_cannot_end_its_element() -> None:
     element = live_cells.make_json_element("x", {"text": "</script><b>"})
     assert element.count("</") == 1
     assert json.loads(element.partition(">")[2].rpartition("</")[0]) == {"text": "</script><b>"}
+
+
+def test_the_start_page_names_the_simulators_that_there_are() -> None:
+    text = (ROOT / "book" / "start.md").read_text(encoding="utf-8")
+    package = json.loads((ROOT / "package.json").read_text(encoding="utf-8"))
+    assert f"MuJoCo {package['dependencies']['@mujoco/mujoco']}, the newest" in text
+    assert f"come from MuJoCo {version('mujoco')}." in text
