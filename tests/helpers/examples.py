@@ -29,8 +29,6 @@ def make_names(exercise: Exercise) -> dict[str, Any]:
     return names
 
 
-def run_example(
-    exercise: Exercise, function: Callable[..., Any], names: dict[str, Any]
-) -> None:
+def run_example(exercise: Exercise, function: Callable[..., Any], names: dict[str, Any]) -> None:
     """Run the example of an exercise with a function under its name."""
     exec(exercise.example, {**names, exercise.name: function})  # noqa: S102 - our own card
