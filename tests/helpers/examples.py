@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
+import json
 from collections.abc import Callable
 from functools import cache
 from typing import Any
 
 import jupytext
 
-from solutions import Exercise
+from solutions import Exercise, load_exercises
 from tests.helpers.chapters import ROOT
 
 
@@ -29,8 +32,21 @@ def make_names(exercise: Exercise) -> dict[str, Any]:
     return names
 
 
-def run_example(
-    exercise: Exercise, function: Callable[..., Any], names: dict[str, Any]
-) -> None:
-    """Run the example of an exercise with a function under its name."""
-    exec(exercise.example, {**names, exercise.name: function})  # noqa: S102 - our own card
+def run_example(exercise: Exercise, function: Callable[..., Any], names: dict[str, Any]) -> str:
+    """Run an example with a function under its name; return what it prints, pictures in words."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(exercise.example, {**names, exercise.name: function})  # noqa: S102 - our own card
+    return printed.getvalue()
+
+
+def run_all() -> None:
+    """Print as JSON what the example of every reference prints."""
+    print(
+        json.dumps(
+            {
+                name: run_example(exercise, exercise.reference, make_names(exercise))
+                for name, exercise in load_exercises().items()
+            }
+        )
+    )
