@@ -15,8 +15,7 @@ from solutions import Exercise, load_exercises
 from tests.helpers.chapters import ROOT
 
 
-@cache
-def read_set_up(page: str) -> tuple[str, ...]:
+def _read_set_up(page: str) -> tuple[str, ...]:
     """Read the cells of an exercise page that stand before its first exercise."""
     cells = jupytext.read((ROOT / page).with_suffix(".md")).cells
     code = [cell for cell in cells if cell.cell_type == "code"]
@@ -24,11 +23,22 @@ def read_set_up(page: str) -> tuple[str, ...]:
     return tuple(cell.source for cell in code[:first])
 
 
-def make_names(exercise: Exercise) -> dict[str, Any]:
-    """Run the cells that set up the page of an exercise, and the imports of its starter."""
+@cache
+def run_set_up(page: str) -> dict[str, Any]:
+    """Run the cells of an exercise page that stand before its first exercise, once a process."""
     names: dict[str, Any] = {}
-    for code in (*read_set_up(exercise.home.exercises), "\n".join(exercise.imports)):
+    for code in _read_set_up(page):
         exec(code, names)  # noqa: S102 - our own page
+    return names
+
+
+def make_names(exercise: Exercise) -> dict[str, Any]:
+    """Return what the cells at the top of an exercise's page and its starter's imports make.
+
+    The objects are shared by all examples of the page, which leave them as they are.
+    """
+    names = dict(run_set_up(exercise.home.exercises))
+    exec("\n".join(exercise.imports), names)  # noqa: S102 - our own card
     return names
 
 

@@ -18,7 +18,7 @@ from labutils.checks.table import read_words
 from solutions import load_exercises
 from solutions._model import Exercise
 from tests.helpers.chapters import ROOT
-from tests.helpers.examples import make_names, read_set_up, run_example
+from tests.helpers.examples import make_names, run_example, run_set_up
 
 #: What the cells at the top of every exercise page make.
 TRYING = {"lab", "np", "show", "model", "data", "renderer", "rgb", "depth", "K", "fov_y"}
@@ -80,9 +80,7 @@ def test_an_example_goes_with_the_words_of_its_exercise(exercise: Exercise) -> N
 
 @pytest.mark.parametrize("chapter", list_taught(), ids=lambda one: one.id)
 def test_a_page_has_the_names_for_trying_and_no_function_of_an_exercise(chapter: Any) -> None:
-    names: dict[str, Any] = {}
-    for code in read_set_up(chapter.exercises):
-        exec(code, names)  # noqa: S102 - our own page
+    names = run_set_up(chapter.exercises)
     assert set(names) >= TRYING
     assert not set(names) & set(load_exercises()), "a learner's function may be missing unnoticed"
 
