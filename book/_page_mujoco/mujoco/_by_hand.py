@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._data import MjData
 from ._derived import FUNCTIONS
 from ._engine import ask, bridge, engine
 from ._functions import ask_and_recover
-from ._model import MjModel
 from ._signature import Signature
+
+if TYPE_CHECKING:
+    from ._model import MjModel
 
 _SIGNATURES = {
     name: Signature.parse(name, FUNCTIONS[name])
@@ -112,5 +113,3 @@ BY_HAND = {
 }
 for _function in BY_HAND.values():
     _function.__module__ = "mujoco._functions"
-
-__all__ = ["BY_HAND", "MjData"]

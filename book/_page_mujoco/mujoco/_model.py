@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from ._engine import ask, engine
 from ._files import adapt, make_vfs, read_scene
@@ -19,7 +19,7 @@ class MjModel(EngineObject):
     __module__ = MODULE
     _kind = "MjModel"
 
-    def __new__(cls, *arguments: Any) -> MjModel:
+    def __new__(cls, *arguments: Any) -> Self:
         """Refuse: a model is compiled from a scene."""
         del arguments
         raise TypeError(f"{MODULE}.MjModel: No constructor defined!")
