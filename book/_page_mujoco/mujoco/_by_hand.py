@@ -9,6 +9,7 @@ import numpy as np
 from ._derived import FUNCTIONS
 from ._engine import ask, bridge, engine
 from ._functions import ask_and_recover
+from ._named import get_object_type
 from ._signature import Signature
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def mj_id2name(*arguments: Any, **named: Any) -> str | None:
 
 def _count_objects(model: MjModel, kind: int) -> int:
     for name, field in _NAME_FIELDS.items():
-        if getattr(engine.mjtObj, f"mjOBJ_{name}").value == kind:
+        if get_object_type(name) == kind:
             return len(getattr(model, field))
     return 0
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Self
 
 from ._engine import ask, engine
 from ._files import adapt, make_vfs, read_scene
-from ._object import EngineObject
+from ._object import EngineObject, Layout
 from ._structs import MODULE
 
 if TYPE_CHECKING:
@@ -25,10 +25,11 @@ class MjModel(EngineObject):
         raise TypeError(f"{MODULE}.MjModel: No constructor defined!")
 
     @classmethod
-    def from_handle(cls, handle: Any) -> MjModel:
+    def from_handle(cls, handle: Any, layout: Layout | None = None) -> MjModel:
         """Wrap a model of the engine, which belongs to Python from now on."""
         model = object.__new__(cls)
-        EngineObject.__init__(model, handle, model)
+        EngineObject.__init__(model, handle, model, layout)
+        model.__dict__["_data_layout"] = None  # of its states: the first one finds it out
         return model
 
     @classmethod
@@ -68,4 +69,4 @@ class MjModel(EngineObject):
 
     def __copy__(self) -> MjModel:
         self._memory.push()
-        return MjModel.from_handle(ask(engine.MjModel.new, self._handle))
+        return MjModel.from_handle(ask(engine.MjModel.new, self._handle), self._layout)
