@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import mujoco
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 _REPLICATE = re.compile(r"<replicate[^>]*>(.*?)</replicate>", re.DOTALL)
 _CASTSHADOW = re.compile(r"(<geom\b[^>]*?)\s+castshadow=\"\w+\"")
