@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from labutils.cameras import Camera
 
 #: Depths in meters that the colors spread over.
-_COLORED_M = (0.3, 3.5)
+_COLORED_M = (0.5, 3.0)
 #: Two poses are the same where a slider could not tell them apart.
 _SAME = 1e-6
 _POSTER_WIDTH = 640
