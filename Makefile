@@ -39,6 +39,7 @@ exercises: setup ## derive starters, check tables, pages, rubric, hints, the map
 	@$(RUN) -m tools.derive.exercises
 	@$(RUN) -m tools.derive.objectives
 	@$(RUN) -m tools.derive.shared
+	@$(RUN) -m tools.derive.page_mujoco
 
 mutants: export OPENBLAS_NUM_THREADS := 1
 mutants: setup ## score the cases: which share of 1600 wrong functions they refuse

@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from labutils.raycast import raycast_depth, raycast_points
     from labutils.renderers.omissions import NotDrawnWarning
     from labutils.scene import make_scene
+    from labutils.showing import show
 
 choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before anything imports it
 
@@ -75,6 +76,7 @@ _ON_FIRST_USE = {
     "save_rgb_view": "outputs",
     "save_scene_pointcloud": "outputs",
     "segment_by_color": "color_segmentation",
+    "show": "showing",
     "visualize_depth": "depth_processing",
     "visualize_detection": "color_segmentation",
     "visualize_pointcloud": "pointcloud",
@@ -132,6 +134,7 @@ __all__ = [
     "save_rgb_view",
     "save_scene_pointcloud",
     "segment_by_color",
+    "show",
     "visualize_depth",
     "visualize_detection",
     "visualize_pointcloud",

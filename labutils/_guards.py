@@ -67,6 +67,23 @@ def check_rgb_image(name: str, value: Any) -> np.ndarray:
     return array
 
 
+def check_picture(name: str, value: np.ndarray) -> np.ndarray:
+    """Return what a figure can show: one channel (H, W), RGB or RGBA."""
+    if value.ndim == 2 or (value.ndim == 3 and value.shape[2] in {3, 4}):
+        return value
+    raise ValueError(
+        f"{name}: expected shape (H, W), (H, W, 3) or (H, W, 4), got {_describe(value)}"
+    )
+
+
+def check_curve(name: str, value: Any) -> np.ndarray:
+    """Return the heights of a curve, of which at least one is finite."""
+    array = check_real_array(name, value)
+    if np.isfinite(array).any():
+        return array
+    raise ValueError(f"{name}: expected at least one finite value, got none")
+
+
 def check_mask(name: str, value: Any) -> np.ndarray:
     """Return a mask as uint8 of shape (H, W); bool is accepted, anything not zero is inside."""
     array = np.asarray(value)

@@ -5,8 +5,9 @@ It draws what an OpenGL viewer would, on a machine that has none, and the same p
 
 from __future__ import annotations
 
-import matplotlib as mpl
 import numpy as np
+
+from labutils._drawing.color_maps import find_steps, get_table
 
 
 def make_look_at(eye: np.ndarray, target: np.ndarray, up: np.ndarray) -> np.ndarray:
@@ -72,20 +73,30 @@ def render_points(
     v = np.round(K[1, 1] * in_cam[:, 1] / in_cam[:, 2] + K[1, 2] - half).astype(np.int64)
     order = np.argsort(-in_cam[:, 2], kind="stable")  # far first: near ones overwrite them
     u, v, colors = u[order], v[order], colors[order]
-    rgba = np.zeros((height, width, 4), np.uint8)
-    pixel = np.empty((len(u), 4), np.uint8)
-    pixel[:, :3] = np.round(255 * np.clip(colors, 0, 1))
-    pixel[:, 3] = 255
-    # Offsets inside, points outside would paint far points over near neighbors: so depth is
-    # tested across all offsets at once, by painting points one after another, far to near.
-    offsets = np.arange(point_size)
-    du, dv = (grid.ravel() for grid in np.meshgrid(offsets, offsets))
-    uu = (u[:, None] + du).ravel()
-    vv = (v[:, None] + dv).ravel()
-    inside = (uu >= 0) & (uu < width) & (vv >= 0) & (vv < height)
-    source = np.repeat(np.arange(len(u)), len(du))[inside]
-    rgba[vv[inside], uu[inside]] = pixel[source]
-    return rgba
+    pixels = np.zeros((len(u) + 1, 4), np.uint8)  # the first is empty
+    pixels[1:, :3] = np.round(255 * np.clip(colors, 0, 1))
+    pixels[1:, 3] = 255
+    nearest = _find_nearest(u, v, size, point_size)
+    return pixels[nearest].reshape(height, width, 4)
+
+
+def _find_nearest(u: np.ndarray, v: np.ndarray, size: tuple[int, int], side: int) -> np.ndarray:
+    """Return which square is on top in every pixel, counted from 1; 0 where there is none.
+
+    The squares come far first. One pixel of all squares is tested after the other: all at once
+    would take as much memory as there are pixels in all squares.
+    """
+    width, height = size
+    nearest = np.zeros(width * height, np.int32)
+    numbers = np.arange(1, len(u) + 1, dtype=np.int32)
+    for dv in range(side):
+        for du in range(side):
+            inside = (u + du >= 0) & (u + du < width) & (v + dv >= 0) & (v + dv < height)
+            place = (v + dv)[inside] * width + (u + du)[inside]
+            drawn = np.zeros_like(nearest)
+            drawn[place] = numbers[inside]  # of those in one place, the last
+            np.maximum(nearest, drawn, out=nearest)
+    return nearest
 
 
 def make_axes_points(length: float, count: int = 400) -> tuple[np.ndarray, np.ndarray]:
@@ -100,7 +111,8 @@ def get_depth_colors(points: np.ndarray) -> np.ndarray:
     """Color points by their third coordinate in turbo; return RGB in [0, 1], shape (N, 3)."""
     z = points[:, 2]
     span = np.ptp(z) or 1.0
-    return mpl.colormaps["turbo"]((z - z.min()) / span)[:, :3]
+    steps = find_steps(z, (float(z.min()), float(z.min() + span)))
+    return get_table("turbo")[steps] / 255
 
 
 def get_view_point(

@@ -1,7 +1,8 @@
 """All figures of the book: one style, readable on light and dark pages.
 
 Every function returns a `Picture`, which shows itself as the last line of a cell. The verb
-``plot_`` stands for exactly that.
+``plot_`` stands for exactly that. Matplotlib draws where it is installed; where it is not, as in
+the browser, the same figures are SVG (`labutils._drawing`).
 """
 
 from __future__ import annotations
@@ -9,18 +10,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from labutils._constants import TURN_WORLD
-from labutils._guards import check_columns, check_depth_image
-from labutils._picture import (
-    CATEGORY_COLORS,
-    WIDTHS,
-    Picture,
-    label_ends,
-    make_axes,
-    use_style,
-)
+from labutils._drawing import draw
+from labutils._drawing.parts import ColorBar, Curve, Panel, Plot, Sheet
+from labutils._drawing.scales import Axis, get_limits, get_range, widen
+from labutils._drawing.style import CATEGORY_COLORS, WIDTHS
+from labutils._guards import check_columns, check_curve, check_depth_image, check_picture
+from labutils._picture import Picture
 from labutils._splat import (
     get_depth_colors,
     get_view_point,
@@ -33,7 +30,7 @@ from labutils.cameras import intrinsics_matrix
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-#: The camera that draws a cloud: width and height in pixels, and K with f = 1300.
+#: The camera that draws a cloud: size in pixels, and K with f = 1300.
 _CLOUD_SIZE = (1440, 1000)
 _CLOUD_K = intrinsics_matrix(2 * np.arctan(500 / 1300), *_CLOUD_SIZE)
 
@@ -67,21 +64,22 @@ def plot_images(
     Returns
     -------
     Picture
+
+    Raises
+    ------
+    ValueError
+        If there is no picture, or one has another shape.
     """
+    if not images:
+        raise ValueError("images: expected at least one picture, got none")
     columns = columns or len(images)
-    rows = -(-len(images) // columns)
-    first = next(iter(images.values()))
+    panels = tuple(
+        Panel(title, check_picture(f"images[{title!r}]", image)) for title, image in images.items()
+    )
+    rows, first = -(-len(panels) // columns), panels[0].pixels
     cell = WIDTHS[width] / columns
-    with use_style():
-        height = rows * (cell * first.shape[0] / first.shape[1] + 0.36)
-        figure = Figure(figsize=(WIDTHS[width], height), layout="constrained")
-        axes = figure.subplots(rows, columns, squeeze=False).ravel()
-        for ax in axes:
-            ax.set_axis_off()
-        for ax, (title, image) in zip(axes, images.items(), strict=False):
-            ax.set_title(title)
-            ax.imshow(image, cmap="gray" if image.ndim == 2 else None)
-        return Picture.from_figure(figure, "; ".join(images))
+    height = rows * (cell * first.shape[0] / first.shape[1] + 0.36)
+    return draw(Sheet("; ".join(images), WIDTHS[width], height, columns, panels))
 
 
 def plot_depth(
@@ -113,15 +111,10 @@ def plot_depth(
     """
     depth = check_depth_image("depth", depth)
     shown = np.where(np.isfinite(depth), depth, np.nan)
-    low, high = limits or (np.nanmin(shown), np.nanmax(shown))
-    with use_style():
-        aspect = depth.shape[0] / depth.shape[1]
-        figure, (ax,) = make_axes(1, width, WIDTHS[width] * 0.87 * aspect + 0.36)
-        image = ax.imshow(shown, cmap="turbo", vmin=low, vmax=high)
-        ax.set_title(title)
-        ax.set_axis_off()
-        figure.colorbar(image, ax=ax, label=f"depth ({unit})", pad=0.02)
-        return Picture.from_figure(figure, title or "depth image")
+    panel = Panel(title, shown, "turbo", limits or get_range(shown))
+    height = WIDTHS[width] * 0.87 * depth.shape[0] / depth.shape[1] + 0.36
+    bar = ColorBar(f"depth ({unit})", (0,), "right")
+    return draw(Sheet(title or "depth image", WIDTHS[width], height, 1, (panel,), (bar,)))
 
 
 def plot_comparison(
@@ -151,22 +144,18 @@ def plot_comparison(
     if ours.shape != truth.shape:
         raise ValueError(f"truth: expected the size of ours {ours.shape}, got {truth.shape}")
     error_mm = 1000.0 * (ours.astype(np.float64) - truth)
-    low, high = limits or (np.nanmin(truth), np.nanmax(truth))
+    limits = limits or get_range(truth)
     if error_limit_mm is None:
         error_limit_mm = max(float(np.nanpercentile(np.abs(error_mm), 99)), 1e-6)
-    with use_style():
-        height = WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.95
-        figure, axes = make_axes(3, "full", height)
-        for ax, title, image in zip(axes, ("ours", "truth"), (ours, truth), strict=False):
-            ax.set_title(title)
-            shown = ax.imshow(image, cmap="turbo", vmin=low, vmax=high)
-        figure.colorbar(shown, ax=list(axes[:2]), label="m", location="bottom", aspect=40)
-        axes[2].set_title("error = ours - truth")
-        signed = axes[2].imshow(error_mm, cmap="RdBu_r", vmin=-error_limit_mm, vmax=error_limit_mm)
-        figure.colorbar(signed, ax=axes[2], label="mm", location="bottom", aspect=20)
-        for ax in axes:
-            ax.set_axis_off()
-        return Picture.from_figure(figure, "ours, truth and error in mm")
+    scale = (-error_limit_mm, error_limit_mm)
+    panels = (
+        Panel("ours", ours, "turbo", limits),
+        Panel("truth", truth, "turbo", limits),
+        Panel("error = ours - truth", error_mm, "RdBu_r", scale),
+    )
+    bars = (ColorBar("m", (0, 1), "bottom", 40), ColorBar("mm", (2,), "bottom"))
+    height = WIDTHS["full"] / 3 * ours.shape[0] / ours.shape[1] + 0.95
+    return draw(Sheet("ours, truth and error in mm", WIDTHS["full"], height, 3, panels, bars))
 
 
 def plot_histogram(
@@ -197,22 +186,25 @@ def plot_histogram(
     Picture
     """
     finite = {name: v[np.isfinite(v)].ravel() for name, v in samples.items()}
-    low, high = limits or (
-        min(v.min() for v in finite.values()),
-        max(v.max() for v in finite.values()),
+    span = widen(*(limits or get_limits(np.concatenate(list(finite.values())), margin=0)))
+    curves = []
+    for name, values in finite.items():
+        counts, edges = np.histogram(values, bins, span)
+        curves.append(Curve(name, edges, counts, steps=True))
+    counts = np.concatenate([curve.y for curve in curves])
+    count_limits = get_limits(counts, log=True) if log else (0.0, 1.05 * max(counts.max(), 1))
+    return draw(
+        Plot(
+            f"histogram of {', '.join(finite)}",
+            WIDTHS["full"],
+            2.6,
+            tuple(curves),
+            Axis(label, span),
+            Axis("pixels", count_limits, log),
+            line_width=1.6,
+            naming="legend" if len(finite) > 1 else "none",
+        )
     )
-    with use_style():
-        figure, (ax,) = make_axes(1, "full", 2.6)
-        for name, values in finite.items():
-            ax.hist(values, bins=bins, range=(low, high), histtype="step", label=name, lw=1.6)
-        ax.set_xlabel(label)
-        ax.set_ylabel("pixels")
-        ax.set_xlim(low, high)
-        if log:
-            ax.set_yscale("log")
-        if len(finite) > 1:
-            ax.legend()
-        return Picture.from_figure(figure, f"histogram of {', '.join(finite)}")
 
 
 def plot_lines(
@@ -239,17 +231,28 @@ def plot_lines(
     Returns
     -------
     Picture
+
+    Raises
+    ------
+    ValueError
+        If a curve has no finite value.
     """
-    with use_style():
-        figure, (ax,) = make_axes(1, "full", 2.8)
-        drawn = [ax.plot(x, y, lw=1.8)[0] for y in lines.values()]
-        ax.set_xlabel(x_label)
-        ax.set_ylabel(y_label)
-        ax.margins(x=0.02)
-        if log_y:
-            ax.set_yscale("log")
-        label_ends(ax, dict(zip(lines, drawn, strict=True)))
-        return Picture.from_figure(figure, f"{y_label} over {x_label}: {', '.join(lines)}")
+    x = np.asarray(x)
+    curves = tuple(Curve(name, x, check_curve(f"lines[{name!r}]", y)) for name, y in lines.items())
+    heights = np.concatenate([curve.y for curve in curves])
+    shown = np.concatenate([curve.x[np.isfinite(curve.y)] for curve in curves])
+    return draw(
+        Plot(
+            f"{y_label} over {x_label}: {', '.join(lines)}",
+            WIDTHS["full"],
+            2.8,
+            curves,
+            Axis(x_label, get_limits(shown, margin=0.02)),
+            Axis(y_label, get_limits(heights, log=log_y), log_y),
+            line_width=1.8,
+            naming="ends",
+        )
+    )
 
 
 def plot_cloud(

@@ -24,6 +24,9 @@ _SWITCHED_OFF = frozenset({"0", "disable", "disabled", "false", "off"})
 
 _USERS_CHOICE = "MUJOCO_GL switches OpenGL off"
 
+#: Why Python in a web page draws by rays: always, so nobody is warned of it.
+_IN_A_PAGE = "MuJoCo in a page has no OpenGL"
+
 _INSTALL_HINTS = {
     "linux": "sudo apt-get install libegl1 libgl1-mesa-dri libopengl0",
     "darwin": "no package is missing on macOS: unset MUJOCO_GL and start Python again",
@@ -124,7 +127,7 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> Renderer:
     Warns
     -----
     NoOpenGLWarning
-        Once per process, with the command that installs OpenGL.
+        Once per process, with the command that installs OpenGL; not in a web page, which has none.
     NotDrawnWarning
         Once per model, where the ray caster draws, with the list of what it leaves out of it.
 
@@ -146,7 +149,8 @@ def make_renderer(model: mujoco.MjModel, height: int, width: int) -> Renderer:
     reason = _find_gl_problem()
     if reason is None:
         return mujoco.Renderer(model, height, width)
-    _warn_once(reason)
+    if reason != _IN_A_PAGE:
+        _warn_once(reason)
     return RaycastRenderer(model, height, width)
 
 
@@ -164,6 +168,8 @@ def is_gl_available() -> bool:
 @functools.cache
 def _find_gl_problem() -> str | None:
     """Draw one pixel; return what went wrong, or None."""
+    if sys.platform == "emscripten":
+        return _IN_A_PAGE
     import mujoco  # noqa: PLC0415 - see make_renderer
 
     if os.environ.get("MUJOCO_GL", "").strip().lower() in _SWITCHED_OFF:

@@ -24,6 +24,7 @@ from labutils.checks.kinds import get_kind
 from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._contract import Duty, asked, given, told
+from solutions._example import verify_example
 from solutions._simpler import Simplification, simplify
 
 if TYPE_CHECKING:
@@ -99,6 +100,9 @@ class Exercise:
         What comes back, with its tolerance.
     tolerance_reason : str
         Why the tolerance is neither tighter nor wider.
+    example : str
+        A few lines that call the learner's function and show the result: with the names that the
+        cells at the top of its page make, and with any right answer.
     contract : tuple of Duty
         What keeps each sentence of its statement and docstring.
     place : int
@@ -124,6 +128,7 @@ class Exercise:
     tolerance_reason: str
     misconceptions: tuple[Misconception, ...]
     hints: tuple[str, ...]
+    example: str
     contract: tuple[Duty, ...]
     visible: Callable[[], tuple[Case, ...]]
     hidden: Callable[[np.random.Generator], tuple[Case, ...]]
@@ -153,6 +158,7 @@ class Exercise:
             raise ValueError(f"{self.name}: the reference is called {self.reference.__name__}")
         if not self.objectives:
             raise ValueError(f"{self.name}: expected at least one objective")
+        verify_example(self.name, self.example)
         self._verify_place()
 
     def _verify_place(self) -> None:

@@ -141,6 +141,10 @@ EXERCISE = Exercise(
             "see what stands where."
         ),
     ),
+    example="""\
+cloud = camera_to_world(points, camera.xpos, camera.xmat)
+print(f"The table is {np.median(cloud[:, 2]):.3f} m above the floor.")
+show((cloud, colors), frame="world")""",
     contract=(
         asked(
             "its-own-frame",

@@ -140,6 +140,12 @@ EXERCISE = Exercise(
         "Pixels become an angle by the focal length in pixels: which triangle do they form?",
         "Something is left of the middle. Must the angle grow or shrink? Positive turns left.",
     ),
+    example="""\
+_, level = lab.make_scene()
+for pan in (0.0, choose_pan(222.0, 0.0, fov_y, 640, 480)):  # to the window
+    level.qpos[:] = pan, 0.0  # the head is level
+    view, _ = lab.render_camera(model, level, renderer, "head_camera")
+    show(view, f"pan {pan:.3f} rad")""",
     contract=(
         told("interesting", "Something interesting appears"),
         asked(

@@ -185,6 +185,10 @@ EXERCISE = Exercise(
             "False, so NaN falls out by itself."
         ),
     ),
+    example="""\
+cloud, cloud_colors = depth_to_pointcloud(depth, K, rgb)
+print(f"{len(cloud)} points of {depth.size} pixels")
+show((cloud, cloud_colors))""",
     contract=(
         asked(
             "every-pixel",

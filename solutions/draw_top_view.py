@@ -230,6 +230,10 @@ EXERCISE = Exercise(
         "Negative indices count from the end in NumPy: which points have to be dropped before?",
         "If points are drawn in the order of their height, which one stays?",
     ),
+    example="""\
+low, high = np.array([0.5, -0.9]), np.array([1.5, 0.9])
+picture = draw_top_view(points_world[::2], colors[::2], low, high, 300)
+show(picture, "the table from above: 3 pixels are 1 cm")""",
     contract=(
         told("map", "Without a screen"),
         asked(

@@ -198,6 +198,11 @@ EXERCISE = Exercise(
         ),
         "Mark invalid pixels by 0, smaller than every depth. Repeat while there are any left.",
     ),
+    example="""\
+measured = depth[200:320, 240:400].copy()
+measured[20:70, 60:90] = np.nan  # a hole, across the edge of the block
+show(measured, "what a sensor measured")
+show(fill_invalid_depth(measured), "filled")""",
     contract=(
         told("planning", "Planning needs a depth"),
         asked("no-average", "Fill them without inventing surfaces", "mistake average"),

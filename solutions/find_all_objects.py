@@ -265,6 +265,13 @@ EXERCISE = Exercise(
         "cv2.connectedComponentsWithStats counts pixels and measures boxes; row 0 is the ground.",
         "Collect (area, name, box) of all colors in one list. Sorting it puts them in order.",
     ),
+    example="""\
+ranges = tuple((name, *limits) for name, limits in lab.HSV_RANGES.items())
+picture = rgb.copy()
+for name, area, box in zip(*find_all_objects(rgb, ranges, 200)):
+    print(f"{name:7} {area:5} pixels, box {tuple(map(int, box))}")
+    cv2.rectangle(picture, tuple(map(int, box)), (255, 255, 255), 2)
+show(picture)""",
     contract=(
         asked("all", "*all* things, of all colors", "mistake one-per-color", "every case"),
         asked("largest-first", "The largest comes first", "mistake smallest-first"),

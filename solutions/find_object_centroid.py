@@ -171,6 +171,11 @@ EXERCISE = Exercise(
             "of a line without any area."
         ),
     ),
+    example="""\
+mask = lab.segment_by_color(rgb, lab.HSV_RANGES["red"])
+centroid = find_object_centroid(mask)
+show(centroid, "center (x, y) of the largest red object")
+show(lab.visualize_detection(rgb, centroid, mask))""",
     contract=(
         given("several", "A mask may show several regions"),
         asked(

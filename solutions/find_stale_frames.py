@@ -215,6 +215,13 @@ EXERCISE = Exercise(
         "np.diff gives what changes from each entry to the next. What does it do to uint8?",
         "There are T pictures, but T - 1 changes. To which picture does the first change belong?",
     ),
+    example="""\
+data.joint("neck_pan").qpos = 0.2  # turn the head, look, turn it back
+turned, _ = lab.render_camera(model, data, renderer, "head_camera")
+data.joint("neck_pan").qpos = 0.0
+images = np.array([rgb, rgb, turned])  # the second shows the pose before
+show({"0.0 rad": rgb, "0.1 rad?": rgb, "0.2 rad": turned})
+show(find_stale_frames(images, np.array([0.0, 0.1, 0.2]), 3), "stale")""",
     contract=(
         told("log", "A log holds pictures"),
         asked(

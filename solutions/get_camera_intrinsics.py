@@ -127,6 +127,11 @@ EXERCISE = Exercise(
             "of the picture: times W or H it is in pixels."
         ),
     ),
+    example="""\
+K_sensor, angle = get_camera_intrinsics(model, "sensor_camera", 640, 480)
+show(K_sensor, "K of the sensor camera, in pixels")
+print(f"It sees {np.degrees(angle):.1f} degrees from top to bottom.")
+show(lab.render_camera(model, data, renderer, "sensor_camera")[0])""",
     contract=(
         asked(
             "by-name", "comes from a MuJoCo model, by name", "case another camera of the same kind"

@@ -118,6 +118,13 @@ EXERCISE = Exercise(
             "principal point of a picture four pixels wide."
         ),
     ),
+    example="""\
+K_mine = intrinsics_matrix(fov_y, 640, 480)
+show(K_mine, "K, in pixels")
+ball, eye = data.body("red_ball"), data.camera("head_camera")
+point = lab.world_to_camera(ball.xpos[None], eye.xpos, eye.xmat)
+u, v = np.rint(lab.points_to_pixels(point, K_mine)[0]).astype(int)
+show(lab.visualize_detection(rgb, (u, v)), "K finds the ball")""",
     contract=(
         given("given-by", "The simplest camera is given by"),
         asked(

@@ -222,6 +222,11 @@ EXERCISE = Exercise(
             "R = I + V + V V / (1 + c)."
         ),
     ),
+    example="""\
+some, its_colors = points[::37], colors[::37]  # fewer, the same table
+plane, leveled = level_cloud(some)
+print(f"The camera is {plane[3]:.3f} m above the table.")
+show((leveled, its_colors), frame="world")""",
     contract=(
         told("tilted", "Nobody told you"),
         asked("find-plane", "in spite of the things on it", "every case", "mistake all-points"),

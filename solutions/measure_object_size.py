@@ -236,6 +236,11 @@ EXERCISE = Exercise(
         "Pixels become points by x = (u - cx) z / fx, and y likewise with its own numbers.",
         "np.ptp(x) is the largest minus the smallest value.",
     ),
+    example="""\
+mask = lab.segment_by_color(rgb, lab.HSV_RANGES["yellow"])
+width, height = measure_object_size(mask, depth, K)
+print(f"The block: {100 * width:.1f} cm wide, {100 * height:.1f} cm high.")
+show(lab.visualize_detection(rgb, None, mask))""",
     contract=(
         asked("how-wide", "How wide and how high", "every case"),
         asked("no-pixels", "pixels are no meters", "mistake one-depth"),

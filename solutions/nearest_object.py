@@ -210,6 +210,13 @@ EXERCISE = Exercise(
         "x = (u - cx) z / fx, y likewise. Which pixels have a depth that you can trust?",
         "Compare distances in the camera frame, where the camera is at 0. Which step comes last?",
     ),
+    example="""\
+bodies = lab.render_segmentation(model, data, renderer, "head_camera")
+ids = [model.body(name).id for name in ("red_box", "red_ball", "green_can")]
+labels = np.select([bodies == one for one in ids], np.int32([1, 2, 3]))
+pose = lab.get_camera_pose(model, data, "head_camera")
+label, position_world = nearest_object(labels, depth, K, pose, 0.08)
+show((lab.visualize_detection(rgb, None, labels == label), position_world))""",
     contract=(
         given("labels-number", "numbers their pixels"),
         asked(

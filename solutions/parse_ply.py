@@ -224,6 +224,13 @@ EXERCISE = Exercise(
         "Collect the names of the vertex properties. names.index('x') is the column of x.",
         "How many lines are points? Which lines come after them, and do you need those?",
     ),
+    example="""\
+some = np.column_stack([points, 255 * colors])[::19].astype(float).round(3)
+lines = ["ply", "format ascii 1.0", f"element vertex {len(some)}"]
+lines += [f"property float {one}" for one in "x y z red green blue".split()]
+lines += ["end_header", *(" ".join(map(str, row)) for row in some.tolist())]
+print(*lines[:11], sep="\\n")
+show(parse_ply("\\n".join(lines)))""",
     contract=(
         told("write-then-read", "Write, then read back"),
         asked("read", "Read the text of an ASCII PLY file", "every case"),

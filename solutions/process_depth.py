@@ -147,6 +147,11 @@ EXERCISE = Exercise(
         ),
         "Clip the raw value to 0-1 first. np.clip leaves NaN alone, and that is what you want.",
     ),
+    example="""\
+depth_raw = lab.render_raw_depth(model, data, renderer, "head_camera")
+print(f"The buffer holds {depth_raw.min():.3f} to {depth_raw.max():.3f}.")
+near, far = lab.get_clip_planes(model)
+show(process_depth(depth_raw, near, far), "meters along the optical axis")""",
     contract=(
         asked(
             "form",

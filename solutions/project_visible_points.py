@@ -235,6 +235,13 @@ EXERCISE = Exercise(
         "A rotation's inverse is its transpose: (p - t) @ R for points in rows.",
         "Arrays are indexed [row, column] with whole numbers: depth[v, u], after rounding.",
     ),
+    example="""\
+table = np.mgrid[0.7:1.3:25j, -0.5:0.5:41j, 0.86:0.86:1j].reshape(3, -1).T
+pixels, visible = project_visible_points(table, T_world_cam, K, depth)
+u, v = np.rint(pixels[visible]).astype(int).T
+dots = np.zeros(depth.shape, bool)
+dots[v, u] = True
+show(lab.visualize_detection(rgb, None, dots), f"{len(u)} are visible")""",
     contract=(
         asked(
             "other-way",

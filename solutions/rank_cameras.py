@@ -146,6 +146,12 @@ EXERCISE = Exercise(
         "Are these places up to date? What does the chapter call before it reads them?",
         "np.argsort gives the order. How do the distances get into the same order?",
     ),
+    example="""\
+data.joint("neck_pan").qpos = 0.3  # nobody has told the cameras
+ids, distances = rank_cameras(model, data, np.array([0.8, 0.0, 0.9]))
+for number, distance in zip(ids, distances):
+    print(f"{model.camera(int(number)).name:13} {distance:.3f} m")
+data.joint("neck_pan").qpos = 0.0""",
     contract=(
         told("several", "The robot has several cameras"),
         asked("nearest-next", "which comes next", "every case", "mistake farthest-first"),

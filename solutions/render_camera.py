@@ -134,6 +134,10 @@ EXERCISE = Exercise(
             "your own next call."
         ),
     ),
+    example="""\
+outside, distance = render_camera(model, data, renderer, "overview")
+show(outside, "the robot from outside")
+show(distance, "how far away all of it is")""",
     contract=(
         told("question", "what do you see now"),
         asked("any-camera", "for any camera of the model", "every case", "mistake one-camera"),

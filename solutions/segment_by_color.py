@@ -188,6 +188,9 @@ EXERCISE = Exercise(
             "Which of the two has to come first if specks must not grow?"
         ),
     ),
+    example="""\
+mask = segment_by_color(rgb, lab.HSV_RANGES["red"])
+show({"picture": rgb, "red": mask})""",
     contract=(
         asked(
             "mark",

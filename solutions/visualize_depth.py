@@ -155,6 +155,11 @@ EXERCISE = Exercise(
             "Paint it last."
         ),
     ),
+    example="""\
+measured = depth.copy()
+measured[200:260, 420:500] = np.nan  # nothing was measured here
+picture_bgr = visualize_depth(measured, 2.2)
+show(picture_bgr[..., ::-1], "up to 2.2 m")  # BGR becomes RGB""",
     contract=(
         asked(
             "blue-to-red",

@@ -176,6 +176,13 @@ EXERCISE = Exercise(
         "The focal length is height / (2 tan(fov_y / 2)). Where is the principal point?",
         "np.argmin tells which of several errors is smallest. One error per camera, as a distance.",
     ),
+    example="""\
+u, v = np.array([[60, 90], [520, 140], [330, 300], [110, 400]]).T
+points = lab.pixels_to_points(np.column_stack([u, v]), depth[v, u], K)
+pixels = np.column_stack([u + 0.3, v - 0.4])  # found half a pixel off
+fovs = np.radians([30, 45, 60])
+camera, error_px = which_camera(points, pixels, fovs, 640, 480)
+print(f"Camera {camera} of {len(fovs)}, which is {error_px:.2f} px off.")""",
     contract=(
         told("mixed-up", "Somebody mixed up the files"),
         given("known", "You know a few points"),

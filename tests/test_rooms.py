@@ -16,6 +16,7 @@ ARROWS = {
     "content": set(),
     "labutils": set(),
     "book/_ext": {"content", "labutils"},
+    "book/_page_mujoco": {"labutils"},
     "book/_page_python": {"content", "labutils"},
     "exercises": {"labutils"},
     "solutions": {"content", "labutils"},

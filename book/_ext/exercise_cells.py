@@ -2,15 +2,11 @@
 
 A cell tagged ``exercise`` is followed by its check and by a box that tells how to ask for a hint.
 They are marked, and an empty element is put before them, which ``exercises.js`` fills with an
-editor. Exercises that need MuJoCo get a note instead: no browser has it. Only pages with exercises
-load the scripts; without these, or without ``tools/vendor/pack_python.py``, they are plain.
+editor. Without scripts, or without ``tools/vendor/pack_python.py``, the cells are plain.
 """
 
-import json
 import re
 from collections.abc import Iterator
-from html import escape
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from docutils import nodes
@@ -18,35 +14,12 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
 from labutils.checks.table import load_table, read_words
+from live_cells import make_json_element, read_manifest
 
 if TYPE_CHECKING:
     from sphinx.domains.std import StandardDomain
 
-PACKED = Path("_build", "page_python")  # below the source folder, like the manifest
-MANIFEST = Path("_build", "page_python.json")
-FOLDER = "_static/python"
-# in this order; the editor brings its own name, the others share `cameraLab`
-SCRIPTS = (
-    "editor.js",
-    "progress_rules.js",
-    "progress.js",
-    "python.js",
-    "exercises.js",
-    "exercise_bar.js",
-)
 CHECK = re.compile(r'check\("(\w+)", (\w+)\)')
-
-NEEDS_MUJOCO = (
-    '<p class="exercise-note">This exercise needs MuJoCo, which no browser has. Work on it in a '
-    'notebook: <a href="{notebook}" download>download this page as a notebook</a>, or use the '
-    'launch button at the top. How to run it is in <a href="{start}">Start here</a>.</p>'
-)
-
-
-def add_packed_folder(app: Sphinx) -> None:
-    """Serve the scripts and assets; see ``offline.py`` for why not in ``_config.yml``."""
-    if (Path(app.srcdir) / MANIFEST).is_file():
-        app.config.html_static_path.append(str(Path(app.srcdir) / PACKED))
 
 
 def find_cells(
@@ -73,9 +46,6 @@ def mark_cells(app: Sphinx, tree: nodes.document, page: str) -> None:
         name = get_name(check, page)
         names.append(name)
         parent = cell.parent
-        if load_table(name).needs_mujoco:
-            parent.insert(parent.index(cell), nodes.raw("", make_note(app, page), format="html"))
-            continue
         for part, node in (("source", cell), ("check", check), ("hint", hint)):
             node["classes"] += [f"exercise-{part}", f"exercise-{part}-{name}"]
         mount = f'<div class="exercise" data-exercise="{name}" hidden></div>'
@@ -105,44 +75,34 @@ def get_name(check: nodes.Element, page: str) -> str:
     return found[1]
 
 
-def make_note(app: Sphinx, page: str) -> str:
-    """Return the note of an exercise that a page cannot check."""
-    up = "../" * page.count("/")
-    notebook = escape(f"{up}_sources/{page}.ipynb")
-    return NEEDS_MUJOCO.format(
-        notebook=notebook, start=app.builder.get_relative_uri(page, "book/start")
-    )
-
-
-def add_scripts(
+def add_data(
     app: Sphinx,
     _pagename: str,
     _templatename: str,
     context: dict[str, Any],
     doctree: nodes.document | None,
 ) -> None:
-    """Load the scripts, and give them what they have to know, on pages with exercises."""
+    """Tell the scripts of a page what its exercises are; ``live_cells.py`` loads the scripts."""
     names = doctree["exercises"] if doctree is not None and "exercises" in doctree else []
-    manifest_file = Path(app.srcdir) / MANIFEST
-    if not names or not manifest_file.is_file():
+    manifest = read_manifest(app)
+    if not names or manifest is None:
         return
-    manifest = json.loads(manifest_file.read_text(encoding="utf-8"))
-    data = make_data(manifest, names, context["pathto"](f"{FOLDER}/", 1))
-    data["titles"] = get_titles(app, names)
-    # "</" would end the element
-    text = json.dumps(data, sort_keys=True).replace("</", "<\\/")
-    context["body"] += f'<script type="application/json" id="exercise-data">{text}</script>\n'
-    for script in SCRIPTS:
-        app.add_js_file(f"{FOLDER.removeprefix('_static/')}/{script}", defer="defer")
+    data = make_data(manifest["tables"], names) | {"titles": get_titles(app, names)}
+    context["body"] += make_json_element("exercise-data", data)
 
 
-def make_data(manifest: dict[str, Any], names: list[str], base: str) -> dict[str, Any]:
+def make_data(tables: dict[str, Any], names: list[str]) -> dict[str, Any]:
     """Choose what the scripts of one page have to know."""
     words = read_words()
-    tables = {name: manifest["tables"][name] for name in names if name in manifest["tables"]}
-    shared = {key: manifest[key] for key in ("version", "assets", "bytes", "remote", "lock")}
-    exercises = {name: {"hints": words[name]["hints"]} for name in names}
-    return {**shared, "base": base, "tables": tables, "exercises": exercises}
+    exercises = {
+        name: {
+            "hints": words[name]["hints"],
+            "example": words[name]["example"],
+            "parts": ["simulator"] if load_table(name).needs_mujoco else [],
+        }
+        for name in names
+    }
+    return {"tables": {name: tables[name] for name in names}, "exercises": exercises}
 
 
 def get_titles(app: Sphinx, names: list[str]) -> dict[str, str]:
@@ -170,7 +130,6 @@ def get_titles(app: Sphinx, names: list[str]) -> dict[str, str]:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Connect the hooks to Sphinx."""
-    app.connect("builder-inited", add_packed_folder)
     app.connect("doctree-resolved", mark_cells)
-    app.connect("html-page-context", add_scripts)
+    app.connect("html-page-context", add_data)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

@@ -13,20 +13,31 @@ interface ProgressRecord {
 type Counts = Record<string, number>;
 type ProgressRecords = Map<string, ProgressRecord>;
 
-/** What a check says: from page_runner.py, or from python.js where there was none. */
+/** The forms of one thing: kind of content to text, or to what JSON can hold. */
+type Bundle = Record<string, unknown>;
+/** An output of a cell, as in a notebook. */
+type CellOutput =
+  | { output_type: "stream"; name: string; text: string }
+  | { output_type: "display_data" | "execute_result"; data: Bundle }
+  | { output_type: "error"; ename: string; evalue: string; traceback: string[] };
+
+/** What the worker says of code: from page_runner.py, page_cells.py, or python.js for them. */
 interface Said {
-  result: "passed" | "failed" | "not checked" | "error" | "stopped";
+  result: "passed" | "failed" | "not checked" | "error" | "stopped" | "ran";
   html?: string;
   error?: string;
   printed?: string;
   progress?: string;
+  missing?: string | null;
+  outputs?: CellOutput[];
+  seconds?: number; // that the code itself took
 }
 interface StoredResult {
   code: string;
   said: Said;
 }
 
-/** A part of what Python in the page consists of; see tools/vendor/pack_python.py. */
+/** A file of which Python in the page consists; see tools/vendor/pack_python.py. */
 interface Asset {
   name: string;
   files: string[];
@@ -37,50 +48,91 @@ interface RemoteWheel {
   url: string;
   sha256: string;
 }
-/** What the build tells the scripts; see book/_ext/exercise_cells.py. */
-interface ExerciseData {
+/** What the build tells the scripts about Python; see book/_ext/live_cells.py. */
+interface PythonData {
   base: string;
   version: string;
-  bytes: number;
-  assets: Asset[];
-  tables: Record<string, Asset>;
+  parts: Record<string, Asset[]>;
   remote: RemoteWheel[];
+  optional: Record<string, RemoteWheel[]>;
   lock: object;
-  exercises: Record<string, { hints: string[] }>;
+  page: string;
+}
+/** What the build tells the scripts about exercises; see book/_ext/exercise_cells.py. */
+interface ExerciseData {
+  tables: Record<string, Asset>;
+  exercises: Record<string, { hints: string[]; parts: string[]; example: string }>;
   titles: Record<string, string>;
 }
 type Say = (text: string) => void;
-/** A check that waits for the worker, or has it. */
-interface Job {
-  exercise: string;
-  code: string;
+/** Code that has to run. */
+interface JobOrder {
+  key: string;
+  order:
+    | { kind: "check"; code: string; exercise: string; progress: string }
+    | { kind: "cell"; code: string; name: string; isSetup: boolean };
+  parts?: string[];
+  table?: Asset;
   say: Say;
+  onPrinted?(text: string): void;
+}
+/** The same, while it waits for the worker or has it. */
+interface Job extends JobOrder {
+  parts: string[];
   resolve(said: Said): void;
-  isRunning?: boolean;
+  startedMs?: number; // since when the code itself runs
 }
 type BootOrder = {
   kind: "boot";
   assets: Record<string, Blob>;
   remote: RemoteWheel[];
+  optional: Record<string, RemoteWheel[]>;
   lock: object;
 };
-type RunOrder = {
-  kind: "run";
+type AddOrder = { kind: "add"; part: string; assets: Record<string, Blob> };
+type CheckOrder = {
+  kind: "check";
   code: string;
   exercise: string;
   progress: string;
   table: Blob | null;
 };
+type CellOrder = { kind: "cell"; code: string; name: string; isSetup: boolean };
+type CommOrder = { kind: "comm"; message: CommMessage };
+type Order = BootOrder | AddOrder | CheckOrder | CellOrder | CommOrder;
 type WorkerAnswer =
-  | { kind: "ready" }
+  | { kind: "printed"; text: string }
+  | { kind: "say"; text: string }
+  | { kind: "comm"; message: CommMessage }
   | { kind: "done"; said: Said }
   | { kind: "fatal"; message: string };
 
 interface Pyodide {
   runPython(code: string): (content: Uint8Array) => string;
   unpackArchive(content: Uint8Array, format: string, options: object): void;
-  pyimport(name: string): { run(code: string, exercise: string, progress: string): string };
+  // biome-ignore lint/suspicious/noExplicitAny: a module of Python has the methods it has
+  pyimport(name: string): any;
+  toPy(thing: unknown): unknown;
+  registerJsModule(name: string, content: object): void;
   FS: { writeFile(path: string, content: Uint8Array): void; chdir(path: string): void };
+}
+/** A list of byte strings in Python. */
+interface PyProxy {
+  toJs(): Uint8Array[];
+  destroy(): void;
+}
+interface PageModules {
+  runner: { run(code: string, exercise: string, progress: string): string };
+  cells: {
+    prepare(): void;
+    run(code: string, name: string, onText: (text: string) => void, isSetup: boolean): string;
+    list_missing(code: string, optional: string): string;
+    note_missing(name: string, reason: string): void;
+  };
+  comms: {
+    connect(send: (text: string, buffers: PyProxy) => void): void;
+    deliver(text: string, buffers: unknown): void;
+  } | null;
 }
 
 /** As many words of JSON Schema as labutils/checks/progress_rules.py needs. */
@@ -93,7 +145,91 @@ interface Schema {
   additionalProperties?: Schema;
 }
 
+/** A change that a reader made to a cell of the book. */
+interface CellEdit {
+  source: string;
+  code: string;
+}
+interface RunInfo {
+  code: string;
+  isAsked: boolean;
+}
+/** What takes part in the session of a page: a cell of a chapter, an exercise, the bar. */
+interface SessionCell {
+  element: HTMLElement;
+  key: string;
+  name: string;
+  title: string;
+  isNeededBelow: boolean;
+  skipped: string;
+  getText(): string;
+  wait(): void;
+  rest(): void;
+  begin(): void;
+  say(text: string): void;
+  print(text: string): void;
+  finish(said: Said, info: RunInfo): Promise<void>;
+  fail(above: SessionCell): void;
+  forget(): void;
+}
+/** A run that a reader asked for, which may have to wait, and to run others first. */
+interface Turn {
+  isStopped: boolean;
+  running: SessionCell | null;
+}
+/** A cell of a chapter, as far as the bar of the page knows it. */
+interface EditableCell extends SessionCell {
+  isEdited(): boolean;
+  reset(): void;
+}
+
 interface CameraLab {
+  elements: {
+    make<Tag extends keyof HTMLElementTagNameMap>(
+      tag: Tag,
+      className: string,
+      text?: string,
+      attributes?: Record<string, string>,
+    ): HTMLElementTagNameMap[Tag];
+    makeButton(text: string, className: string, onClick: () => void): HTMLButtonElement;
+  };
+  edits: {
+    read(page: string): CellEdit[];
+    write(page: string, edits: CellEdit[]): boolean;
+  };
+  outputs: {
+    makeAll(said: Said, alts: string[]): HTMLElement[];
+    makeText(text: string, isWarning?: boolean): HTMLElement;
+  };
+  CellResult: new (
+    name: string,
+    built: HTMLElement | null,
+  ) => {
+    built: HTMLElement | null;
+    element: HTMLElement;
+    switch: HTMLElement;
+    choose(isYours: boolean): void;
+    begin(): void;
+    print(text: string, isWatched: boolean): void;
+    show(said: Said, isSame: boolean, isWanted: boolean): Promise<boolean>;
+  };
+  session: {
+    cells: SessionCell[];
+    add(cell: SessionCell): void;
+    run(cell: SessionCell): Promise<boolean>;
+    runAbove(cell: SessionCell): Promise<boolean>;
+    runAll(asked: SessionCell): Promise<boolean>;
+    stop(asked: SessionCell): void;
+    hasRun(cell: SessionCell): boolean;
+    listen(listener: () => void): void;
+  };
+  cells: {
+    list: EditableCell[];
+    announce(text: string): void;
+    keepEdits(): void;
+  };
+  bar?: SessionCell;
+  exerciseData: ExerciseData;
   rules: {
     FILE_NAME: string;
     VERSION: number;
@@ -115,11 +251,21 @@ interface CameraLab {
     readResult(name: string): StoredResult | null;
     writeResult(name: string, code: string, said: Said): void;
   };
+  assets: {
+    data: PythonData;
+    load(asset: Asset, onLoaded?: (bytes: number) => void): Promise<Blob>;
+    loadPart(part: string, onLoaded: (bytes: number) => void): Promise<Record<string, Blob>>;
+    loadScript(file: string): Promise<void>;
+    countBytes(part: string): number;
+    inflateText(blob: Blob): Promise<string>;
+  };
   python: {
-    check(exercise: string, code: string, say: (text: string) => void): Promise<Said>;
-    stop(exercise: string): void;
+    run(order: JobOrder): Promise<Said>;
+    stop(key: string): void;
     options: { limitMs: number };
-    data: ExerciseData;
+    listenForEnd(listener: () => void): void;
+    listenForComm(listener: (message: CommMessage) => void): void;
+    sendComm(message: CommMessage): void;
   };
 }
 interface CodeEditor {
@@ -138,6 +284,7 @@ interface Window {
       describedBy: string;
       onChange(text: string): void;
       onCheck(): void;
+      onRun?(): void;
     }): CodeEditor;
   };
   MathJax?: {

@@ -4,15 +4,16 @@ interface CameraLab {
   makeOutbox(post: (message: CommMessage) => void): CommOutbox;
   makeWidgetManager(push: (message: CommMessage) => void): Promise<LiveManager>;
   carryValues(from: Element, to: Element): Promise<void>;
-  widgets: {
-    show(bundle: Record<string, unknown>, element: HTMLElement): Promise<void>;
+  /** Only where code has made widgets. */
+  widgets?: {
+    show(bundle: Bundle, element: HTMLElement): Promise<void>;
     hear(message: CommMessage): void;
     carry(from: Element, to: Element): Promise<void>;
     clear(element: Element): void;
     reset(): void;
     flush(): void;
     onSend: (message: CommMessage) => void;
-    showOutputs: (outputs: NotebookOutput[], element: HTMLElement) => void;
+    showOutputs: (outputs: CellOutput[], element: HTMLElement) => void;
   };
 }
 /** What require.js offers, of which _types.d.ts names the rest. */
@@ -41,7 +42,7 @@ interface CommData {
   /** Of comm_done. */
   id?: number;
   /** Of comm_said. */
-  outputs?: NotebookOutput[];
+  outputs?: CellOutput[];
 }
 interface CommOutbox {
   push(message: CommMessage): void;
@@ -94,10 +95,4 @@ interface LivePlace extends HTMLElement {
 /** The element of an explorer's view. */
 interface ExplorerElement extends HTMLElement {
   explorerModel: Model<ViewTraits<Record<string, unknown>> & Record<string, unknown>>;
-}
-interface NotebookOutput {
-  output_type: string;
-  text?: string;
-  data?: Record<string, unknown>;
-  traceback?: string[];
 }

@@ -1,19 +1,8 @@
 // The bar above the exercises of a page: how many are solved, and the progress as a file, the same
 // that a notebook writes and reads.
 (() => {
-  const { progress, python } = window.cameraLab;
-
-  /**
-   * @param {string} text
-   * @param {() => void} onClick
-   */
-  function makeButton(text, onClick) {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = text;
-    button.addEventListener("click", onClick);
-    return button;
-  }
+  const { exerciseData, progress } = window.cameraLab;
+  const { makeButton } = window.cameraLab.elements;
 
   /**
    * Say how many are solved; returns {solved, total}.
@@ -48,7 +37,7 @@
   }
 
   function build(/** @type {HTMLElement} */ bar) {
-    const names = Object.keys(python.data.exercises);
+    const names = Object.keys(exerciseData.exercises);
     const meter = document.createElement("progress");
     const text = document.createElement("span");
     const status = document.createElement("p");
@@ -73,10 +62,10 @@
     const buttons = document.createElement("span");
     buttons.className = "exercise-buttons";
     buttons.append(
-      makeButton("Export", () => {
+      makeButton("Export", "", () => {
         status.textContent = exportFile();
       }),
-      makeButton("Import", () => input.click()),
+      makeButton("Import", "", () => input.click()),
       input,
     );
     bar.append(meter, text, buttons, status);

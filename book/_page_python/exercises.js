@@ -1,7 +1,10 @@
 // Turns the exercise cells of a page into editors with buttons. Without this script the page is
 // plain: the starter, the check, and how to ask for a hint in a notebook.
 (() => {
-  const { progress, python } = window.cameraLab;
+  const { assets, cells, outputs, progress, python, session } = window.cameraLab;
+  const { make, makeButton } = window.cameraLab.elements;
+  /** @type {ExerciseData} */
+  const data = JSON.parse(document.getElementById("exercise-data")?.textContent ?? "");
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
 
@@ -15,33 +18,6 @@
   };
 
   /**
-   * Make an element: a class, a text, attributes.
-   * @template {keyof HTMLElementTagNameMap} Tag
-   * @param {Tag} tag
-   * @param {string} className
-   * @param {string} text
-   * @param {Record<string, string>} attributes
-   */
-  function make(tag, className, text = "", attributes = {}) {
-    const element = document.createElement(tag);
-    element.className = className;
-    element.textContent = text;
-    for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-    return element;
-  }
-
-  /**
-   * @param {string} text
-   * @param {string} className
-   * @param {() => void} onClick
-   */
-  function makeButton(text, className, onClick) {
-    const button = make("button", className, text, { type: "button" });
-    button.addEventListener("click", onClick);
-    return button;
-  }
-
-  /**
    * The parts of one exercise: the mount that the build has put before its cell, and the cells.
    * @param {HTMLElement} mount
    */
@@ -53,6 +29,7 @@
     return { mount, source, check, hint, name };
   }
 
+  /** @implements {SessionCell} */
   class Exercise {
     /** @param {ReturnType<typeof find>} parts */
     constructor({ mount, source, check, hint, name }) {
@@ -60,21 +37,29 @@
       this.mount = mount;
       this.code = /** @type {HTMLElement} */ (source.querySelector("pre"));
       this.starter = String(this.code.textContent).replace(/\n$/, "");
-      this.hints = python.data.exercises[name].hints;
+      this.hints = data.exercises[name].hints;
       /** @type {string | null} */
       this.undo = null; // the text before a reset
       this.isBusy = false;
       this.isRestoring = false;
       /** @type {string | undefined} */
       this.checkedCode = undefined;
+      this.element = mount;
+      this.key = this.title = name;
+      this.isNeededBelow = false;
+      this.skipped = "";
+      this.text = "";
+      this.doing = ""; // "check" or "run"
+      this.runButton = makeButton("Run", "exercise-run", () => session.run(this));
       this.checkButton = makeButton("Check", "exercise-check", () => this.check());
-      this.stopButton = makeButton("Stop", "exercise-stop", () => python.stop(name));
+      this.stopButton = makeButton("Stop", "exercise-stop", () => this.stop());
       this.stopButton.hidden = true;
       this.hintButton = makeButton("Hint", "", () => this.hint());
       this.resetButton = makeButton("Reset", "", () => this.reset());
       this.status = make("p", "exercise-status", "", { role: "status" });
       this.hintList = make("ol", "exercise-hints", "", { "aria-live": "polite" });
       this.output = make("div", "exercise-output", "", { "aria-live": "polite" });
+      this.shown = make("div", "exercise-shown cell-yours");
       this.editor = this.build();
       for (const cell of [source, check, hint]) cell.classList.add("exercise-replaced");
       mount.hidden = false;
@@ -89,10 +74,11 @@
         role: "group",
         "aria-label": `Buttons of ${this.name}`,
       });
-      buttons.append(this.checkButton, this.stopButton, this.hintButton, this.resetButton);
-      const keys = `Tab indents; Escape, then Tab, leaves the editor. ${KEYS} checks.`;
+      buttons.append(this.runButton, this.checkButton, this.stopButton);
+      buttons.append(this.hintButton, this.resetButton);
+      const keys = `Tab indents; Escape, then Tab, leaves the editor. ${KEYS} checks, Shift and Enter runs.`;
       this.mount.append(frame, make("p", "exercise-help", keys, { id: help }));
-      this.mount.append(buttons, this.status, this.hintList, this.output);
+      this.mount.append(buttons, this.status, this.hintList, this.output, this.shown);
       const { createEditor } = /** @type {Required<Window>} */ (window).cameraLabEditor;
       return createEditor({
         parent: frame,
@@ -101,6 +87,7 @@
         describedBy: help,
         onChange: (text) => this.keep(text),
         onCheck: () => this.check(),
+        onRun: () => session.run(this),
       });
     }
 
@@ -120,7 +107,7 @@
     /** What to know before the first click. */
     getNotice() {
       if (!progress.isKept()) return "This browser keeps nothing: your code is lost with the page.";
-      const hosts = new Set(python.data.remote.map(({ url }) => new URL(url).host));
+      const hosts = new Set(assets.data.remote.map(({ url }) => new URL(url).host));
       if (!hosts.size) return "";
       return `The first check loads NumPy and OpenCV from ${[...hosts]}: it needs a network.`;
     }
@@ -166,16 +153,93 @@
     async check() {
       if (this.isBusy) return;
       const code = this.editor.getText();
+      this.doing = "check";
       this.setBusy(true);
       const started = performance.now();
-      const said = await python.check(this.name, code, (text) => this.say(text));
+      let said = await this.askForVerdict(code);
+      // the code asks for what the cells above make
+      if (said.missing && (await session.runAbove(this))) said = await this.askForVerdict(code);
       const seconds = (performance.now() - started) / 1000;
       this.setBusy(false);
       this.mount.dataset.seconds = seconds.toFixed(3);
       if (said.progress) progress.merge(progress.parse(said.progress));
       if (said.result !== "stopped") progress.writeResult(this.name, code, said);
       this.show(said, code);
-      this.say(SUMMARY[said.result]);
+      this.say(SUMMARY[/** @type {keyof typeof SUMMARY} */ (said.result)]);
+      if (said.result === "passed") await this.showExample();
+    }
+
+    askForVerdict(/** @type {string} */ code) {
+      return python.run({
+        key: this.key,
+        order: { kind: "check", code, exercise: this.name, progress: progress.text() },
+        parts: /\bmujoco\b/.test(code) ? ["simulator"] : data.exercises[this.name].parts,
+        table: data.tables[this.name],
+        say: (text) => this.say(text),
+      });
+    }
+
+    stop() {
+      if (this.doing === "check") python.stop(this.key);
+      session.stop(this);
+    }
+
+    // --- Run: the session of the page has this exercise as one of its cells ---
+
+    /** The reader's code; after a pass also the call that shows what it does. */
+    getText() {
+      return this.editor.getText() + this.text;
+    }
+
+    wait() {
+      if (this.doing !== "check") this.doing = "run";
+      this.setBusy(true);
+      cells.announce(`${this.name}: running`);
+    }
+
+    rest() {
+      if (this.doing !== "check") this.setBusy(false);
+    }
+
+    begin() {
+      this.printed = "";
+    }
+
+    print(/** @type {string} */ text) {
+      this.printed += text;
+    }
+
+    /** What has run, where the code was. */
+    async finish(/** @type {Said} */ said) {
+      const all = said.result === "stopped" ? { ...said, printed: this.printed } : said;
+      const parts = outputs.makeAll(all, []);
+      const title = this.text ? "Your function at work:" : "Your code, run:";
+      this.shown.replaceChildren(make("p", "exercise-label", title), ...parts);
+      this.mount.dataset.ran = said.result;
+      if (this.text) return; // the verdict has been told
+      const silent = "Ran. To see what your function gives, call it below: show(...).";
+      const told = { ran: parts.length ? "Ran." : silent, error: SUMMARY.error };
+      this.say(told[said.result === "ran" || said.result === "error" ? said.result : "ran"]);
+      if (said.result === "stopped") this.say(SUMMARY.stopped);
+    }
+
+    fail(/** @type {SessionCell} */ above) {
+      this.say(`Did not run: ${above.title} has to run first, and stopped.`);
+    }
+
+    forget() {}
+
+    /** After a pass: the reader's own result, and the way on. */
+    async showExample() {
+      const { example } = data.exercises[this.name];
+      if (!example) return;
+      this.text = `\n\n${example}`;
+      try {
+        await session.run(this);
+      } finally {
+        this.text = "";
+      }
+      this.say(SUMMARY.passed);
     }
 
     setBusy(/** @type {boolean} */ isBusy) {
@@ -185,10 +249,12 @@
       this.mount.setAttribute("aria-busy", String(isBusy));
       this.mount.dataset.state = isBusy ? "busy" : "idle";
       this.stopButton.hidden = !isBusy;
-      this.checkButton.hidden = isBusy;
+      this.checkButton.hidden = this.runButton.hidden = isBusy;
       // the button that had the focus has just gone
-      if (hadFocus && focused === this.checkButton) this.stopButton.focus();
-      if (hadFocus && focused === this.stopButton) this.checkButton.focus();
+      const [run, check] = [this.runButton, this.checkButton];
+      if (hadFocus && (focused === run || focused === check)) this.stopButton.focus();
+      if (hadFocus && focused === this.stopButton) (this.doing === "run" ? run : check).focus();
+      if (!isBusy) this.doing = "";
     }
 
     /**
@@ -234,7 +300,7 @@
   /** Links of verdicts that the build has put on the page say their heading, too. */
   function nameLinks(/** @type {Element} */ parent) {
     for (const link of parent.querySelectorAll("a")) {
-      const title = python.data.titles[link.getAttribute("href") ?? ""];
+      const title = data.titles[link.getAttribute("href") ?? ""];
       if (title !== undefined) link.textContent = title;
     }
   }
@@ -246,8 +312,10 @@
     const found = document.querySelectorAll(".exercise[data-exercise]");
     const mounts = [...found];
     const exercises = mounts.map((mount) => new Exercise(find(mount)));
+    for (const exercise of exercises) session.add(exercise);
     window.addEventListener("beforeprint", () => preparePrint(exercises));
   }
 
+  window.cameraLab = { ...window.cameraLab, exerciseData: data };
   document.addEventListener("DOMContentLoaded", start);
 })();

@@ -8,22 +8,20 @@ from __future__ import annotations
 
 import io
 import json
-import linecache
-import traceback
 import warnings
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
 
+import page_cells
+import page_outputs
 from labutils import check, hint, report
-from labutils.checks.exceptions import explain
 from labutils.checks.progress_rules import FILE_NAME
+from page_errors import add_source, describe
+from page_outputs import MAX_PRINTED, TOO_MUCH
 
 #: What a traceback calls the reader's code.
 FILE = "your code"
-
-#: A loop that prints would fill the memory before anybody can press Stop.
-MAX_PRINTED = 20_000
 
 
 class Printed(io.StringIO):
@@ -37,7 +35,7 @@ class Printed(io.StringIO):
             super().write(text[: MAX_PRINTED - self.tell()])
             if self.tell() >= MAX_PRINTED:
                 self.is_full = True
-                super().write("\n... (more was printed than can be shown)")
+                super().write(TOO_MUCH)
         return len(text)
 
 
@@ -57,7 +55,8 @@ def run(code: str, name: str, progress: str) -> str:
     -------
     str
         JSON: ``result`` ("passed", "failed", "not checked" or "error"), ``headline``, ``html`` of
-        the verdict, ``printed``, ``error`` and the ``progress`` file after.
+        the verdict, ``printed``, ``error``, the ``progress`` file after, and ``missing``: a name
+        that the code asks for and that nothing has made, for which the page may run its set-up.
     """
     said: dict[str, Any] = {"result": "error", "headline": "", "html": "", "error": ""}
     path = Path.cwd() / FILE_NAME
@@ -65,8 +64,12 @@ def run(code: str, name: str, progress: str) -> str:
     if progress:
         path.write_text(progress, encoding="utf-8")
     printed = Printed()
+    page_outputs.current.begin()  # what the code shows belongs to Run, and is not kept here
     with redirect_stdout(printed), redirect_stderr(printed), warnings.catch_warnings():
-        namespace, said["error"] = run_cell(code)
+        namespace, error = run_cell(code)
+        if error:
+            said["error"] = describe(error, FILE)
+            said["missing"] = error.name if isinstance(error, NameError) else None
         if not said["error"] and not callable(namespace.get(name)):
             said["error"] = f"Your code has no function {name}: keep its name as it was."
         if not said["error"]:
@@ -81,31 +84,14 @@ def run(code: str, name: str, progress: str) -> str:
     return json.dumps(said)
 
 
-def run_cell(code: str) -> tuple[dict[str, Any], str]:
-    """Run code; return its namespace and, where it stops, what a traceback says in short."""
-    namespace = {"__name__": "__main__", "check": check, "hint": hint, "report": report}
+def run_cell(code: str) -> tuple[dict[str, Any], BaseException | None]:
+    """Run code; return its namespace and what stopped it, if anything did."""
+    given = page_cells.SESSION.given
+    namespace = {**given, "__name__": "__main__", "check": check, "hint": hint, "report": report}
     # tracebacks, and the verdict, show the reader's line
-    linecache.cache[FILE] = (len(code), None, code.splitlines(keepends=True), FILE)
+    add_source(code, FILE)
     try:
         exec(compile(code, FILE, "exec", dont_inherit=True), namespace)  # noqa: S102 - its purpose
     except BaseException as error:  # noqa: BLE001 - SystemExit must not end the worker either
-        return namespace, describe(error)
-    return namespace, ""
-
-
-def describe(error: BaseException) -> str:
-    """Format an exception with the reader's own lines only, and say what it means."""
-    frames = [
-        frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename == FILE
-    ]
-    lines = traceback.format_exception_only(error)
-    if frames:
-        lines = ["In your code:\n", *(_describe_frame(frame) for frame in frames), *lines]
-    text = "".join(lines).replace(f'File "{FILE}", line', "line").strip("\n")
-    advice = explain(error, FILE)
-    return f"{text}\n{advice}" if advice else text
-
-
-def _describe_frame(frame: traceback.FrameSummary) -> str:
-    place = "" if frame.name == "<module>" else f" in {frame.name}"
-    return f"  line {frame.lineno}{place}: {frame.line}\n"
+        return namespace, error
+    return namespace, None

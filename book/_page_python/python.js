@@ -1,126 +1,138 @@
 // The one Python of a page: loads it on the first click, runs one piece of code after the other,
 // and ends it where code does not end. worker.js is the other end.
 (() => {
-  /** @type {ExerciseData} */
-  const data = JSON.parse(document.getElementById("exercise-data")?.textContent ?? "");
-  const base = new URL(data.base, document.baseURI).href;
-  const AGAIN = "The next check starts it anew.";
+  const { assets } = window.cameraLab;
+  const { data } = assets;
+  const AGAIN = "The next run starts it anew.";
   const options = { limitMs: 20_000 }; // of the reader's code; loading does not count
+  const BASE = "python";
 
-  /** @type {Map<string, Promise<Blob>>} */
-  const blobs = new Map(); // name of an asset: a promise of its content, gzipped
-  /** @type {Record<string, (text: string) => void>} */
-  const waiting = {}; // "name/piece": what to do when its script has come
   /** @type {Job[]} */
   const queue = [];
   /** @type {Job | null} */
   let current = null; // the job that has the worker
   /** @type {Worker | null} */
   let worker = null;
-  /** @type {Promise<void> | null} */
-  let booting = null; // a promise while Python loads, and after
-  let loadingText = ""; // how far that is
+  /** @type {ReturnType<typeof start> | null} */
+  let started = null;
+  /** @type {Map<string, Promise<void>>} */
+  let ready = new Map(); // part: a promise that the worker has it
+  let loadingText = ""; // how far loading is
+  let loadedBytes = 0;
+  let wantedBytes = 0;
+  /** @type {Set<string>} */
   let givenTables = new Set();
   /** @type {ReturnType<typeof setTimeout>} */
   let timer;
-
-  /** Every script of an asset calls this. */
-  window.cameraLabAsset = (name, piece, text) => waiting[`${name}/${piece}`]?.(text);
-
-  async function loadScript(/** @type {string} */ file) {
-    const script = document.createElement("script");
-    script.src = `${base}${file}?v=${data.version}`;
-    /** @type {Promise<unknown>} */
-    const loaded = new Promise((resolve, reject) => {
-      script.onload = resolve;
-      script.onerror = () => reject(new Error(`a file of this page could not be loaded: ${file}`));
-    });
-    document.head.append(script);
-    await loaded.finally(() => script.remove());
-  }
-
-  /**
-   * @param {string} name
-   * @param {string} file
-   * @param {number} piece
-   */
-  async function loadPiece(name, file, piece) {
-    let text = "";
-    waiting[`${name}/${piece}`] = (given) => {
-      text = given;
-    };
-    await loadScript(file);
-    delete waiting[`${name}/${piece}`];
-    return (await fetch(`data:application/octet-stream;base64,${text}`)).blob();
-  }
-
-  /**
-   * Load an asset once; what failed is tried again the next time.
-   * @param {Asset} asset
-   * @param {(bytes: number) => void} onLoaded
-   */
-  function loadAsset(asset, onLoaded = () => {}) {
-    let whole = blobs.get(asset.name);
-    if (!whole) {
-      const pieces = asset.files.map(async (file, piece) => {
-        const blob = await loadPiece(asset.name, file, piece);
-        onLoaded(blob.size);
-        return blob;
-      });
-      whole = Promise.all(pieces).then((parts) => new Blob(parts));
-      whole.catch(() => blobs.delete(asset.name));
-      blobs.set(asset.name, whole);
-    }
-    return whole;
-  }
-
-  async function inflateText(/** @type {Blob} */ blob) {
-    return new Response(blob.stream().pipeThrough(new DecompressionStream("gzip"))).text();
-  }
-
-  /**
-   * Load everything and start the worker.
-   * @param {Say} say
-   */
-  async function boot(say) {
-    let loaded = 0;
-    const count = (/** @type {number} */ bytes) => {
-      loaded += bytes;
-      say(`Loading Python: ${megabytes(loaded)} of ${megabytes(data.bytes)} MB`);
-    };
-    say("Loading Python");
-    const contents = await Promise.all(data.assets.map((asset) => loadAsset(asset, count)));
-    const assets = Object.fromEntries(data.assets.map((asset, i) => [asset.name, contents[i]]));
-    say(data.remote.length ? "Loading NumPy and OpenCV from the network" : "Starting Python");
-    const script = await inflateText(assets["worker.js"]);
-    const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-    const booted = new Worker(url);
-    worker = booted;
-    URL.revokeObjectURL(url);
-    givenTables = new Set();
-    /** @type {Promise<void>} */
-    const ready = new Promise((resolve, reject) => {
-      booted.onerror = (event) => reject(new Error(event.message || "the worker did not start"));
-      booted.onmessage = ({ data: message }) =>
-        message.kind === "ready" ? resolve() : reject(new Error(message.message));
-      booted.postMessage({ kind: "boot", assets, remote: data.remote, lock: data.lock });
-    });
-    await ready;
-    booted.onmessage = ({ data: message }) => hear(message);
-    booted.onerror = (event) =>
-      finish({ result: "stopped", error: `Python failed: ${event.message}` });
-  }
+  /** @type {ReturnType<typeof setTimeout>} */
+  let commTimer;
+  /** @type {(() => void)[]} */
+  const onEnd = []; // who has to know that everything Python knew is gone
+  /** @type {(message: CommMessage) => void} */
+  let onComm = () => {};
 
   const megabytes = (/** @type {number} */ bytes) => (bytes / 1e6).toFixed(1);
 
-  function end() {
-    worker?.terminate();
-    worker = null;
-    booting = null;
+  function sayLoading(/** @type {string} */ text) {
+    loadingText = text;
+    current?.say(text);
   }
 
-  function hear(/** @type {Exclude<WorkerAnswer, { kind: "ready" }>} */ message) {
-    if (message.kind === "done") {
+  /**
+   * Load a part, saying how far it is.
+   * @param {string} part
+   */
+  function load(part) {
+    wantedBytes += assets.countBytes(part);
+    return assets.loadPart(part, (bytes) => {
+      loadedBytes += bytes;
+      sayLoading(`Loading Python: ${megabytes(loadedBytes)} of ${megabytes(wantedBytes)} MB`);
+    });
+  }
+
+  /**
+   * Ask the worker for something that is not code, and wait until it is done.
+   * @param {Worker} asked
+   * @param {BootOrder | AddOrder} order
+   * @returns {Promise<void>}
+   */
+  function ask(asked, order) {
+    return new Promise((resolve, reject) => {
+      const { port1, port2 } = new MessageChannel();
+      asked.addEventListener("error", (event) =>
+        reject(new Error(event.message || "the worker did not start")),
+      );
+      port1.onmessage = ({ data: problem }) => (problem ? reject(new Error(problem)) : resolve());
+      asked.postMessage(order, [port2]);
+    });
+  }
+
+  /** Load what Python needs, and start the worker. */
+  async function start() {
+    sayLoading("Loading Python");
+    const contents = await load(BASE);
+    sayLoading(
+      data.remote.length ? "Loading NumPy and OpenCV from the network" : "Starting Python",
+    );
+    const script = await assets.inflateText(contents["worker.js"]);
+    const url = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+    const booted = new Worker(url);
+    URL.revokeObjectURL(url);
+    worker = booted;
+    givenTables = new Set();
+    booted.onmessage = ({ data: message }) => hear(message);
+    booted.onerror = (event) =>
+      finish({ result: "stopped", error: `Python failed: ${event.message}` });
+    return { booted, contents };
+  }
+
+  async function boot() {
+    const { booted, contents } = await starting();
+    const { remote, lock, optional } = data;
+    await ask(booted, { kind: "boot", assets: contents, remote, lock, optional });
+  }
+
+  function starting() {
+    started ??= start();
+    return started;
+  }
+
+  /**
+   * Let the worker have a part; the parts of a job travel at the same time.
+   * @param {string} part
+   * @returns {Promise<void>}
+   */
+  function prepare(part) {
+    const promise = ready.get(part) ?? (part === BASE ? boot() : add(part));
+    ready.set(part, promise);
+    return promise;
+  }
+
+  async function add(/** @type {string} */ part) {
+    const [contents, { booted }] = await Promise.all([load(part), starting()]);
+    prepare(BASE); // its order comes first
+    await ask(booted, { kind: "add", part, assets: contents });
+  }
+
+  function end() {
+    clearTimeout(commTimer);
+    worker?.terminate();
+    worker = null;
+    started = null;
+    ready = new Map();
+    loadedBytes = wantedBytes = 0;
+    for (const listener of onEnd) listener();
+  }
+
+  function hear(/** @type {WorkerAnswer} */ message) {
+    if (message.kind === "printed") {
+      current?.onPrinted?.(message.text);
+    } else if (message.kind === "comm") {
+      if (message.message.type === "comm_done") clearTimeout(commTimer);
+      onComm(message.message);
+    } else if (message.kind === "say") {
+      current?.say(message.text);
+    } else if (message.kind === "done") {
       finish(message.said);
     } else {
       end();
@@ -137,12 +149,20 @@
     });
   }
 
+  /** A callback of a widget does not end: the same limit holds, where no cell runs. */
+  function endLate() {
+    if (current) commTimer = setTimeout(endLate, options.limitMs);
+    else end();
+  }
+
   /** Give the current job its result, and begin the next. */
   function finish(/** @type {Said} */ said) {
     clearTimeout(timer);
     const job = current;
     current = null;
-    job?.resolve(said);
+    const { startedMs } = job ?? {};
+    const seconds = startedMs === undefined ? 0 : (performance.now() - startedMs) / 1000;
+    job?.resolve({ ...said, seconds });
     next();
   }
 
@@ -152,23 +172,18 @@
     if (!job) return;
     current = job;
     try {
-      if (booting) job.say(loadingText);
-      booting ??= boot((text) => {
-        loadingText = text;
-        current?.say(text);
-      });
-      const table = loadAsset(data.tables[job.exercise]);
-      await booting;
+      if (ready.has(BASE)) job.say(loadingText);
+      const table = job.table ? assets.load(job.table) : null;
+      await Promise.all(job.parts.map(prepare));
       const content = await table;
       if (current !== job) return; // stopped meanwhile
-      const isNew = !givenTables.has(job.exercise);
-      givenTables.add(job.exercise);
-      const { code, exercise } = job;
-      const progress = window.cameraLab.progress.text();
+      const isNew = job.table && !givenTables.has(job.table.name);
+      if (job.table) givenTables.add(job.table.name);
       job.say("Running");
-      job.isRunning = true;
+      job.startedMs = performance.now();
       timer = setTimeout(stopLate, options.limitMs);
-      worker?.postMessage({ kind: "run", code, exercise, progress, table: isNew ? content : null });
+      window.cameraLab.widgets?.flush(); // what the reader has moved counts
+      worker?.postMessage({ ...job.order, table: isNew ? content : null });
     } catch (thrown) {
       const error = /** @type {Error} */ (thrown);
       end();
@@ -178,29 +193,26 @@
   }
 
   /**
-   * Run code and check the function in it; resolves to what page_runner.py says, or to
-   * {result: "stopped", error}.
-   * @param {string} exercise
-   * @param {string} code
-   * @param {Say} say
+   * Run code when its turn comes; resolves to what the worker says, or to {result: "stopped", error}.
+   * @param {JobOrder} order
    * @returns {Promise<Said>}
    */
-  function check(exercise, code, say) {
+  function run(order) {
     return new Promise((resolve) => {
-      queue.push({ exercise, code, say, resolve });
-      say(current ? "Waiting for the check before" : "Loading Python");
+      queue.push({ ...order, parts: [BASE, ...(order.parts ?? [])], resolve });
+      order.say(current ? "Waiting for what runs" : "Loading Python");
       next();
     });
   }
 
-  /** Stop the check of an exercise, whether it waits, loads or runs. */
-  function stop(/** @type {string} */ exercise) {
-    const place = queue.findIndex((job) => job.exercise === exercise);
+  /** Stop the job of a cell, whether it waits, loads or runs. */
+  function stop(/** @type {string} */ key) {
+    const place = queue.findIndex((job) => job.key === key);
     if (place >= 0) {
       const [job] = queue.splice(place, 1);
       job.resolve({ result: "stopped", error: "Stopped before it began." });
-    } else if (current?.exercise === exercise) {
-      const { isRunning } = current;
+    } else if (current?.key === key) {
+      const isRunning = current.startedMs !== undefined;
       if (isRunning) end();
       finish({
         result: "stopped",
@@ -209,5 +221,22 @@
     }
   }
 
-  window.cameraLab = { ...window.cameraLab, python: { check, stop, options, data } };
+  const python = {
+    run,
+    stop,
+    options,
+    /** Hear that Python has ended, and everything it knew is gone. */
+    listenForEnd: (/** @type {() => void} */ listener) => onEnd.push(listener),
+    /** Hear what widgets in Python say. */
+    listenForComm(/** @type {(message: CommMessage) => void} */ listener) {
+      onComm = listener;
+    },
+    /** Tell widgets in Python something. */
+    sendComm(/** @type {CommMessage} */ message) {
+      clearTimeout(commTimer);
+      commTimer = setTimeout(endLate, options.limitMs); // what a callback does may never end
+      worker?.postMessage({ kind: "comm", message }, message.buffers);
+    },
+  };
+  window.cameraLab = { ...window.cameraLab, python };
 })();

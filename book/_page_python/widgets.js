@@ -52,7 +52,7 @@
 
   /**
    * Show a widget inside an element of the page, or say there why not.
-   * @param {Record<string, unknown>} bundle
+   * @param {Bundle} bundle
    * @param {HTMLElement} element
    */
   async function show(bundle, element) {
@@ -124,14 +124,15 @@
 
   /**
    * Show outputs as text.
-   * @param {NotebookOutput[]} outputs
+   * @param {CellOutput[]} outputs
    * @param {HTMLElement} element
    */
   function showAsText(outputs, element) {
     for (const output of outputs) {
       const block = document.createElement("pre");
-      const traceback = output.traceback?.join("\n");
-      block.textContent = traceback ?? output.text ?? String(output.data?.["text/plain"] ?? "");
+      if (output.output_type === "stream") block.textContent = output.text;
+      else if (output.output_type === "error") block.textContent = output.traceback.join("\n");
+      else block.textContent = String(output.data["text/plain"]);
       element.append(block);
     }
   }
@@ -184,7 +185,7 @@
     flush: outbox.flush,
     /** @type {(message: CommMessage) => void} */
     onSend: () => {},
-    /** @type {(outputs: NotebookOutput[], element: HTMLElement) => void} */
+    /** @type {(outputs: CellOutput[], element: HTMLElement) => void} */
     showOutputs: showAsText,
   };
   window.cameraLab = { ...window.cameraLab, widgets };

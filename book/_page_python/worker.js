@@ -1,6 +1,7 @@
-// Python for the exercise cells, in a worker. The page sends {kind: "boot"} once, then {kind: "run"};
-// python.js is the other end. This script comes from a blob, as a classic worker: a module worker
-// cannot be started on a page that is opened from a file.
+// Python for the cells of a page, in a worker. The page sends {kind: "boot"} once, {kind: "add"} for
+// a part that comes later, then {kind: "check"}, {kind: "cell"} and {kind: "comm"}; python.js is the
+// other end. This script comes from a blob, as a classic worker: a module worker cannot be started on
+// a page that is opened from a file.
 // biome-ignore lint/suspicious/noRedundantUseStrict: a script, although Biome takes it for a module
 "use strict";
 
@@ -8,11 +9,20 @@ const SITE_PACKAGES = "/lib/python3.14/site-packages";
 const TABLES = `${SITE_PACKAGES}/labutils/checks/tables`;
 const HOME = "/home/pyodide";
 const INDEX = "https://book.invalid/"; // never asked: fetch below answers in its place
+// The ray caster draws: a page has no OpenGL.
+const ENVIRONMENT = { HOME, MUJOCO_GL: "disable", LABUTILS_GL_MISSING: "a web page has none" };
 
 /** @type {Pyodide} */
 let pyodide;
-/** @type {(code: string, exercise: string, progress: string) => string} */
-let runCode;
+/** @type {PageModules} */
+let modules;
+/** @type {typeof fetch} */
+let download;
+/** @type {Record<string, RemoteWheel[]>} */
+let optional = {}; // name of a package: the wheels it needs
+/** @type {Promise<object>} */
+let engine;
+let finished = Promise.resolve(); // one order after the other
 
 /** The content of an asset: a Blob of gzip. */
 function inflate(/** @type {Blob} */ blob) {
@@ -54,11 +64,10 @@ function serveFiles(/** @type {Record<string, Blob>} */ assets) {
 }
 
 /**
- * Load the wheels that the page could not bring with it; each has to be the file that is meant.
+ * Load wheels that the page could not bring with it; each has to be the file that is meant.
  * @param {RemoteWheel[]} remote
- * @param {typeof fetch} download
  */
-async function loadWheels(remote, download) {
+async function loadWheels(remote) {
   // not crypto.subtle: a page that comes by plain http has none
   const getSha256 = pyodide.runPython(
     "import hashlib\nlambda content: hashlib.sha256(content.to_bytes()).hexdigest()",
@@ -80,51 +89,124 @@ async function loadWheels(remote, download) {
   }
 }
 
-async function boot(/** @type {BootOrder} */ { assets, remote, lock }) {
-  const download = self.fetch.bind(self);
+/** Unpack the archives among the assets, and write the modules of the page's own Python. */
+async function unpack(/** @type {Record<string, Blob>} */ assets) {
+  const names = Object.keys(assets);
+  const archives = names.filter((name) => name.endsWith(".zip") && !name.includes("stdlib"));
+  for (const bytes of await Promise.all(archives.map((name) => inflateBytes(assets[name])))) {
+    pyodide.unpackArchive(bytes, "zip", { extractDir: SITE_PACKAGES });
+  }
+}
+
+async function boot(/** @type {BootOrder} */ order) {
+  const { assets, remote, lock } = order;
+  optional = order.optional;
+  download = self.fetch.bind(self);
   serveFiles(assets);
   const [{ loadPyodide }, module] = await Promise.all([
     importAsset(assets["vendor/pyodide.mjs"]),
     importAsset(assets["vendor/pyodide.asm.mjs"]),
   ]);
-  // inflated while Pyodide compiles
-  const archives = Object.keys(assets).filter(
-    (name) => name.endsWith(".zip") && !name.includes("stdlib"),
-  );
-  const unpacked = archives.map((name) => inflateBytes(assets[name]));
-  const runner = inflateBytes(assets["page_runner.py"]);
   pyodide = await loadPyodide({
     indexURL: INDEX,
     createPyodideModule: module.default,
     lockFileContents: JSON.stringify(lock),
+    env: ENVIRONMENT,
   });
-  if (remote.length) await loadWheels(remote, download);
-  for (const bytes of await Promise.all(unpacked)) {
-    pyodide.unpackArchive(bytes, "zip", { extractDir: SITE_PACKAGES });
-  }
-  pyodide.FS.writeFile(`${SITE_PACKAGES}/page_runner.py`, await runner);
+  if (remote.length) await loadWheels(remote);
+  await unpack(assets);
   pyodide.FS.chdir(HOME);
-  runCode = pyodide.pyimport("page_runner").run;
+  modules = {
+    runner: pyodide.pyimport("page_runner"),
+    cells: pyodide.pyimport("page_cells"),
+    comms: null,
+  };
+  modules.cells.prepare();
 }
 
-async function run(/** @type {RunOrder} */ { code, exercise, progress, table }) {
-  if (table) pyodide.FS.writeFile(`${TABLES}/${exercise}.npz`, await inflateBytes(table));
-  return JSON.parse(runCode(code, exercise, progress));
+/** Start the engine of the simulator; it needs no Python, so it compiles beside it. */
+async function startEngine(/** @type {Record<string, Blob>} */ assets) {
+  const [bridge, mujoco, wasm] = await Promise.all([
+    importAsset(assets["simulator.js"]),
+    importAsset(assets["vendor/mujoco.js"]),
+    inflateBytes(assets["vendor/mujoco.wasm"]),
+  ]);
+  return bridge.loadBridge(mujoco.default, wasm);
 }
 
-self.onmessage = async ({ data }) => {
-  try {
-    if (data.kind === "boot") {
-      await boot(data);
-      self.postMessage({ kind: "ready" });
-    } else {
-      self.postMessage({ kind: "done", said: await run(data) });
-    }
-  } catch (error) {
-    // what Python itself could not catch: out of memory, a stack that is too deep
-    self.postMessage({
-      kind: "fatal",
-      message: String(/** @type {any} */ (error)?.message ?? error),
-    });
+/** Add a part: its files, and what it has to be told. */
+async function add(/** @type {AddOrder} */ { part, assets }) {
+  if (part === "simulator") pyodide.registerJsModule("_mujoco_wasm", await engine);
+  await unpack(assets);
+  pyodide.runPython("import importlib; importlib.invalidate_caches()");
+  if (part === "widgets") {
+    const comms = pyodide.pyimport("page_comms");
+    comms.connect(sendComm);
+    modules.comms = comms;
   }
+}
+
+/**
+ * Python's widgets say something: one message, as JSON, and its buffers.
+ * @param {string} text
+ * @param {PyProxy} buffers
+ */
+function sendComm(text, buffers) {
+  const copies = buffers.toJs().map((one) => one.slice().buffer);
+  buffers.destroy();
+  const message = { ...JSON.parse(text), buffers: copies };
+  self.postMessage({ kind: "comm", message }, { transfer: copies });
+}
+
+async function check(/** @type {CheckOrder} */ { code, exercise, progress, table }) {
+  if (table) pyodide.FS.writeFile(`${TABLES}/${exercise}.npz`, await inflateBytes(table));
+  return JSON.parse(modules.runner.run(code, exercise, progress));
+}
+
+async function runCell(/** @type {CellOrder} */ { code, name, isSetup }) {
+  for (const wanted of JSON.parse(modules.cells.list_missing(code, JSON.stringify(optional)))) {
+    self.postMessage({ kind: "say", text: `Loading ${wanted} from the network` });
+    try {
+      await loadWheels(optional[wanted]);
+      delete optional[wanted];
+    } catch (error) {
+      modules.cells.note_missing(wanted, /** @type {Error} */ (error).message);
+    }
+  }
+  const onText = (/** @type {string} */ text) => self.postMessage({ kind: "printed", text });
+  const outputs = JSON.parse(modules.cells.run(code, name, onText, isSetup));
+  const last = outputs.at(-1);
+  return { result: last?.output_type === "error" ? "error" : "ran", outputs };
+}
+
+async function serve(/** @type {MessageEvent<Order>} */ { data: order, ports }) {
+  if (order.kind === "boot" || order.kind === "add") {
+    const [port] = ports;
+    try {
+      await (order.kind === "boot" ? boot(order) : add(order));
+      port.postMessage("");
+    } catch (error) {
+      port.postMessage(String(/** @type {any} */ (error)?.message ?? error));
+    }
+  } else if (order.kind === "comm") {
+    const { buffers, ...message } = order.message;
+    const bytes = buffers.map((one) => new Uint8Array(one));
+    modules.comms?.deliver(JSON.stringify(message), bytes);
+  } else {
+    const said = await (order.kind === "cell" ? runCell(order) : check(order));
+    self.postMessage({ kind: "done", said });
+  }
+}
+
+self.onmessage = (event) => {
+  if (event.data.kind === "add" && event.data.part === "simulator") {
+    engine = startEngine(event.data.assets);
+    engine.catch(() => {}); // whoever waits for it hears of it
+  }
+  finished = finished
+    .then(() => serve(event))
+    .catch((error) => {
+      // what Python itself could not catch: out of memory, a stack that is too deep
+      self.postMessage({ kind: "fatal", message: String(error?.message ?? error) });
+    });
 };

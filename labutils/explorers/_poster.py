@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
+
+from labutils._drawing import draw_on_white
+from labutils._drawing.parts import Curve, Plot
+from labutils._drawing.scales import Axis, get_limits
+from labutils._drawing.style import WIDTHS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -41,23 +45,18 @@ def draw_lines(
     -------
     ndarray, uint8, shape (H, W, 3)
     """
-    # Matplotlib takes long to load, and only posters need it.
-    from labutils._picture import Picture, make_axes, use_style  # noqa: PLC0415
-
-    with use_style():
-        figure, (axes,) = make_axes(1, "full", 3.6)
-        for name, values in curves.items():
-            axes.plot(x, values, label=name)
-        axes.plot(*point, "o")
-        axes.set_xlabel(labels[0])
-        axes.set_ylabel(labels[1])
-        axes.set_title(title, wrap=True)
-        if log:
-            axes.set(xscale="log", yscale="log")
-        axes.legend()
-        png = Picture.from_figure(figure, title).png
-    bgra = np.asarray(cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_UNCHANGED))
-    alpha = bgra[..., 3:] / 255
-    on_white = bgra[..., 2::-1] * alpha + 255 * (1 - alpha)
-    size = (bgra.shape[1] // 2, bgra.shape[0] // 2)
-    return cv2.resize(on_white.round().astype(np.uint8), size, interpolation=cv2.INTER_AREA)
+    points = np.concatenate([[point], *(np.stack([x, y], axis=1) for y in curves.values())])
+    return draw_on_white(
+        Plot(
+            title,
+            WIDTHS["full"],
+            3.6,
+            tuple(Curve(name, x, y) for name, y in curves.items()),
+            Axis(labels[0], get_limits(points[:, 0], log=log), log),
+            Axis(labels[1], get_limits(points[:, 1], log=log), log),
+            line_width=1.5,
+            naming="legend",
+            title=title,
+            point=point,
+        )
+    )

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 import mujoco
 import numpy as np
 
+from labutils.renderers.rays import RaycastRenderer
+
 if TYPE_CHECKING:
     from labutils.renderers.protocol import Renderer
 
@@ -15,7 +17,8 @@ _EGL_BAD_ACCESS = 0x3002
 
 def is_used_by(renderer: Renderer) -> bool:
     """Tell whether a renderer draws with OpenGL, and so fills a depth buffer."""
-    return isinstance(renderer, mujoco.Renderer)
+    # where everything is drawn by rays, `mujoco.Renderer` is the ray caster itself
+    return isinstance(renderer, mujoco.Renderer) and not isinstance(renderer, RaycastRenderer)
 
 
 def is_wrong_thread(error: BaseException) -> bool:

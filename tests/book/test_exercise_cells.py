@@ -20,8 +20,6 @@ from tests.helpers.chapters import get_toc_pages
 ROOT = Path(__file__).resolve().parents[2]
 HTML = ROOT / "_build" / "html"
 EXERCISES = read_words()
-IN_PAGE = [name for name in EXERCISES if not load_table(name).needs_mujoco]
-IN_NOTEBOOK = [name for name in EXERCISES if name not in IN_PAGE]
 DATA = re.compile(r'<script type="application/json" id="exercise-data">(.*?)</script>', re.DOTALL)
 
 
@@ -70,7 +68,7 @@ def make_tree(*exercises: tuple[str, str]) -> nodes.document:
 def make_app() -> SimpleNamespace:
     domain = SimpleNamespace(labels={}, anonlabels={})
     return SimpleNamespace(
-        builder=SimpleNamespace(format="html", get_relative_uri=lambda *_: "../book/start.html"),
+        builder=SimpleNamespace(format="html"),
         env=SimpleNamespace(get_domain=lambda _: domain),
     )
 
@@ -90,14 +88,6 @@ def test_the_parts_of_an_exercise_are_marked(hook: ModuleType) -> None:
     assert "exercise-check-process_depth" in check["classes"]
     assert "exercise-hint-process_depth" in hint["classes"]
     assert "exercise-bar" in tree.children[0].children[0].astext()
-
-
-def test_an_exercise_that_needs_mujoco_gets_a_note_and_no_editor(hook: ModuleType) -> None:
-    tree = make_tree(("render_camera", "render_camera"))
-    hook.mark_cells(make_app(), tree, "exercises/page")
-    assert "no browser has" in get_raw(tree)[1]
-    assert 'href="../_sources/exercises/page.ipynb"' in get_raw(tree)[1]
-    assert "data-exercise" not in "".join(get_raw(tree))
 
 
 def test_a_page_without_exercises_stays_as_it_is(hook: ModuleType) -> None:
@@ -130,15 +120,13 @@ def test_other_formats_than_html_are_left_alone(hook: ModuleType) -> None:
     assert get_raw(tree) == []
 
 
-def test_every_exercise_has_an_editor_or_a_note(pages: dict[str, str]) -> None:
+def test_every_exercise_has_an_editor(pages: dict[str, str]) -> None:
     mounted = [
         name
         for page in pages.values()
         for name in re.findall(r'data-exercise="(\w+)" hidden', page)
     ]
-    assert sorted(mounted) == sorted(IN_PAGE)
-    notes = "".join(pages.values()).count('class="exercise-note"')
-    assert notes == len(IN_NOTEBOOK)
+    assert sorted(mounted) == sorted(EXERCISES)
 
 
 def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None:
@@ -153,23 +141,15 @@ def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None
         assert not [element for element in elements if "hidden" in element]
 
 
-def test_the_notebook_of_a_note_is_there(pages: dict[str, str]) -> None:
-    notes = re.findall(r'class="exercise-note">.*?</p>', "".join(pages.values()))
-    assert len(notes) == len(IN_NOTEBOOK) > 0
-    for note in notes:
-        links = re.findall(r'href="([^"]+)"', note)
-        assert links, note
-        assert all((HTML / "exercises" / link).is_file() for link in links), note
-
-
 def test_pages_know_hints_tables_and_titles(data: dict[str, Any]) -> None:
     names = [name for page in data.values() for name in page["exercises"]]
     assert sorted(names) == sorted(EXERCISES)
     for page in data.values():
-        assert sorted(page["tables"]) == sorted(set(page["exercises"]) & set(IN_PAGE))
+        assert sorted(page["tables"]) == sorted(page["exercises"])
         for name, known in page["exercises"].items():
             assert known["hints"] == EXERCISES[name]["hints"]
             assert len(known["hints"]) == MAX_HINTS
+            assert ("simulator" in known["parts"]) == load_table(name).needs_mujoco
             assert page["titles"][EXERCISES[name]["section"]]
 
 
@@ -181,24 +161,8 @@ def test_links_of_verdicts_lead_to_a_place(data: dict[str, Any]) -> None:
             assert f'id="{anchor}"' in (HTML / "exercises" / target).read_text()
 
 
-def test_every_asset_a_page_names_is_there(data: dict[str, Any]) -> None:
+def test_the_table_of_every_exercise_is_there(data: dict[str, Any]) -> None:
     for page in data.values():
-        assert page["assets"]
-        for asset in (*page["assets"], *page["tables"].values()):
+        for asset in page["tables"].values():
             assert asset["files"]
-            for file in asset["files"]:
-                assert (HTML / "exercises" / page["base"] / file).is_file()
-    assert (HTML / "_static" / "python" / "licenses" / "NOTICE.txt").is_file()
-
-
-def test_only_pages_with_exercises_load_the_scripts(
-    pages: dict[str, str], hook: ModuleType
-) -> None:
-    for page in pages.values():
-        places = [page.index(f"_static/python/{name}") for name in hook.SCRIPTS]
-        assert places == sorted(places)
-        assert "_static/python/vendor" not in re.sub(DATA, "", page)  # only on a click
-    others = [path for path in HTML.rglob("*.html") if path.parent.name != "exercises"]
-    assert others
-    for path in others:
-        assert "_static/python" not in path.read_text(), path
+            assert all((HTML / "_static" / "python" / file).is_file() for file in asset["files"])

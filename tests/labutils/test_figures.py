@@ -12,7 +12,8 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import visualize_pointcloud
-from labutils._picture import _INK, spread_labels
+from labutils._drawing.end_labels import spread_labels
+from labutils._drawing.style import INK as _INK
 from labutils._splat import get_view_point, make_look_at, render_points
 from labutils.figures import (
     Picture,

@@ -3,6 +3,7 @@
 import base64
 import gzip
 import io
+import itertools
 import json
 import re
 import subprocess
@@ -13,15 +14,23 @@ from typing import Any, NoReturn
 
 import pytest
 
-from labutils.checks.table import TABLES, load_table, read_words
+from labutils.checks.table import TABLES, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
-from tools.vendor import npm, pack_python, page_python, page_wheels
+from tools.vendor import (
+    npm,
+    pack_python,
+    page_python,
+    page_simulator,
+    page_wheels,
+    page_widgets,
+)
 from tools.vendor.page_wheels import Wheels
 
 ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
 BUDGET = 13_000_000  # bytes, gzipped, on the first click
+SIMULATOR_BUDGET = 3_000_000  # on top, with the first cell that simulates
 PIECE = re.compile(r'cameraLabAsset\("([^"]+)",(\d+),"([A-Za-z0-9+/=]*)"\);\n')
 
 
@@ -57,6 +66,10 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (vendor / name).write_bytes(name.encode() * 1000)
     (vendor / page_python.STAMP).write_text("1")
     (vendor / page_python.LOCK).write_text('{"info": {"python": "3.14.2"}, "packages": {}}')
+    # what the simulator and the widgets consist of has tests of its own
+    small = {"simulator.zip": b"s" * 100, "vendor/mujoco.wasm": b"w" * 100}
+    monkeypatch.setattr(page_simulator, "make_simulator_assets", lambda: small)
+    monkeypatch.setattr(page_widgets, "make_widget_assets", lambda: {"widgets.zip": b"x" * 100})
     monkeypatch.setattr(page_python, "VENDOR", vendor)
     monkeypatch.setattr(pack_python, "PACKED", tmp_path / "packed")
     monkeypatch.setattr(pack_python, "MANIFEST", tmp_path / "packed.json")
@@ -127,12 +140,12 @@ def test_wheels_that_could_not_be_had_are_left_to_the_page() -> None:
     assert manifest["remote"] == [
         {"name": "numpy", "url": "https://cdn.example/numpy.whl", "sha256": "ab"}
     ]
-    assert not [asset for asset in manifest["assets"] if "numpy" in asset["name"]]
+    assert not [asset for asset in manifest["parts"]["python"] if "numpy" in asset["name"]]
 
 
 def test_the_library_is_the_one_of_the_notebook(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
-    (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
+    (library,) = [asset for asset in manifest["parts"]["python"] if asset["name"] == "labutils.zip"]
     with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
         names = archive.namelist()
         for name in names:
@@ -144,7 +157,7 @@ def test_the_library_is_the_one_of_the_notebook(wheels: Wheels) -> None:
 
 def test_packed_library_checks_an_answer_by_itself(wheels: Wheels, tmp_path: Path) -> None:
     manifest = pack_python.pack(wheels, "1.0")
-    (library,) = [asset for asset in manifest["assets"] if asset["name"] == "labutils.zip"]
+    (library,) = [asset for asset in manifest["parts"]["python"] if asset["name"] == "labutils.zip"]
     with zipfile.ZipFile(io.BytesIO(unpack(pack_python.PACKED / "python", library))) as archive:
         archive.extractall(tmp_path)
     name = "intrinsics_matrix"
@@ -160,11 +173,10 @@ def test_packed_library_checks_an_answer_by_itself(wheels: Wheels, tmp_path: Pat
     assert done.stdout.split() == [str(tmp_path / "labutils" / "__init__.py"), "value"]
 
 
-def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels: Wheels) -> None:
+def test_tables_come_one_by_one(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     folder = pack_python.PACKED / "python"
-    for name in read_words():
-        assert (name in manifest["tables"]) != load_table(name).needs_mujoco, name
+    assert sorted(manifest["tables"]) == sorted(read_words())
     for name, asset in manifest["tables"].items():
         tables = ROOT / "labutils" / "checks" / "tables"
         assert unpack(folder, asset) == (tables / f"{name}.npz").read_bytes()
@@ -172,8 +184,9 @@ def test_tables_come_one_by_one_and_only_where_no_mujoco_is_needed(wheels: Wheel
 
 def test_what_is_ours_in_the_assets_holds_no_leak(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
-    ours = [asset for asset in manifest["assets"] if not asset["name"].startswith("vendor/")]
-    assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page_runner.py"}
+    base = manifest["parts"]["python"]
+    ours = [asset for asset in base if not asset["name"].startswith("vendor/")]
+    assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page.zip"}
     folder = pack_python.PACKED / "python"
     documents: list[tuple[str, str]] = []
     for asset in (*ours, *manifest["tables"].values()):
@@ -188,11 +201,12 @@ def test_a_first_click_loads_less_than_its_budget() -> None:
     manifest = json.loads(REAL_MANIFEST.read_text())
     if manifest["remote"]:
         pytest.skip("NumPy and OpenCV are loaded from the CDN: nobody knows their size here")
-    every = [*manifest["assets"], *manifest["tables"].values()]
+    every = [*itertools.chain(*manifest["parts"].values()), *manifest["tables"].values()]
     for asset in every:
         unpack(REAL_PACKED / "python", asset)  # has the size that the manifest says
     largest = max(asset["bytes"] for asset in manifest["tables"].values())
-    assert manifest["bytes"] + largest < BUDGET
+    assert pack_python.count_bytes(manifest, "python") + largest < BUDGET
+    assert pack_python.count_bytes(manifest, "simulator") < SIMULATOR_BUDGET
 
 
 def test_the_editor_is_made_of_locked_packages() -> None:

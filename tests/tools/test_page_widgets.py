@@ -27,15 +27,13 @@ def test_the_archive_is_the_same_every_time_and_small() -> None:
     assert len(gzip.compress(content, 9, mtime=0)) < BUDGET
 
 
-def test_it_holds_the_packages_the_bridge_and_the_explorers_and_no_compiled_code() -> None:
+def test_it_holds_the_packages_and_the_explorers_and_no_compiled_code() -> None:
     members = list_members()
     for name in (
-        "IPython/display.py",
         "anywidget/widget.py",
         "ipywidgets/widgets/widget_output.py",
         "labutils/explorers/static/hsv.js",
         "labutils/explorers/hsv.py",
-        "page_comms.py",
         "traitlets/traitlets.py",
         "typing_extensions.py",
     ):
@@ -50,7 +48,7 @@ def test_it_holds_the_packages_the_bridge_and_the_explorers_and_no_compiled_code
 
 def test_our_own_files_are_listed_for_who_asks_whether_they_changed() -> None:
     ours = {path.name for path in page_widgets.list_widget_sources()}
-    assert {"page_comms.py", "display.py", "hsv.py", "_frame.js", "hsv.css"} <= ours
+    assert {"hsv.py", "_frame.js", "hsv.css"} <= ours
 
 
 def test_every_package_brings_its_license() -> None:

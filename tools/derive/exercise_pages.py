@@ -1,4 +1,4 @@
-"""Write the parts of a page that follow from the cards: starter, check, hints, points.
+"""Write the parts of a page that follow from the cards: set-up, example, starter, check, points.
 
 A marked part lies between two comments. Everything else on a page is written by hand. A page that
 lacks a part, or has one that no card asks for, is refused.
@@ -19,6 +19,30 @@ if TYPE_CHECKING:
 
 PART = re.compile(r"<!-- begin (?P<name>[\w ]+) -->\n.*?<!-- end (?P=name) -->\n", re.DOTALL)
 HEADING = re.compile(r"^\(exercise-([a-z-]+)\)=\n## ", re.MULTILINE)
+
+#: What stands above the exercises of every page: names to try a function with. The library comes
+#: under one short name, so that no function that a learner writes hides what these cells call.
+SET_UP = """\
+Run your function before you check it: the next two cells make a picture `rgb` of the robot's head \
+camera, its `depth` in meters, and the matrix `K` of that camera. Call your function below its \
+definition, as the example of each exercise does, and look at the result with `show(...)`. A check \
+looks at the function only.
+
+```{code-cell} ipython3
+# The tools of this page
+import numpy as np
+import labutils as lab
+from labutils import check, hint, report, show
+```
+
+```{code-cell} ipython3
+# The robot's scene, a picture of it with its depth, and the camera
+model, data = lab.make_scene()
+renderer = lab.make_renderer(model, 480, 640)
+rgb, depth = lab.render_camera(model, data, renderer, "head_camera")
+K, fov_y = lab.get_camera_intrinsics(model, "head_camera", 640, 480)
+```
+"""
 
 #: Minutes, a rough guess for planning: an exercise of the lab, and a challenge.
 LAB_MINUTES, CHALLENGE_MINUTES = 20, 30
@@ -74,6 +98,11 @@ before. They cost nothing, but `report()` counts them.
 """
 
 
+def make_example(exercise: Exercise) -> str:
+    """Write the example call, which a notebook's reader copies below the function."""
+    return f"```python\n{exercise.example}\n```\n"
+
+
 def make_card(exercises: list[Exercise], chapter: Chapter) -> str:
     """Write the table at the top of an exercise page."""
     lab = [one for one in exercises if not one.is_challenge]
@@ -117,12 +146,17 @@ def make_chapter_part(exercises: list[Exercise], chapter: Chapter) -> str:
 def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) -> str:
     """Fill the marked parts of an exercise page."""
     chosen = _require(exercises, chapter)
-    parts = {f"exercise {one.name}": make_exercise(one) for one in chosen}
+    parts = {"card": make_card(chosen, chapter), "set up": SET_UP}
+    for one in chosen:
+        parts |= {
+            f"example {one.name}": make_example(one),
+            f"exercise {one.name}": make_exercise(one),
+        }
     labels = HEADING.findall(text)
     due = [get_label(one.name).removeprefix("exercise-") for one in chosen]
     if labels != due:
         raise ValueError(f"{chapter.exercises}: expected headings for {due}, got {labels}")
-    return _fill(text, {"card": make_card(chosen, chapter), **parts}, chapter.exercises)
+    return _fill(text, parts, chapter.exercises)
 
 
 def fill_chapter(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) -> str:

@@ -75,7 +75,7 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
     words = {}
     for name, exercise in exercises.items():
         table = exercise.freeze()
-        words[name], files[TABLES / f"{name}.npz"] = make_table(table)
+        words[name], files[TABLES / f"{name}.npz"] = make_table(table, exercise.example)
         head = f'"""Starter of the exercise {name}.\n\n{NOTE}\n"""\n\n'
         files[STARTERS / f"{name}.py"] = (head + make_starter(exercise)).encode()
     files[TABLES / WORDS] = (json.dumps(words, indent=1) + "\n").encode()
@@ -127,7 +127,7 @@ def write(path: Path, content: bytes | None) -> None:
     path.write_bytes(content)
 
 
-def make_table(table: CheckTable) -> tuple[dict[str, Any], bytes]:
+def make_table(table: CheckTable, example: str) -> tuple[dict[str, Any], bytes]:
     """Return the words and the arrays of one exercise."""
     arrays: dict[str, np.ndarray] = {}
     words = {
@@ -139,6 +139,7 @@ def make_table(table: CheckTable) -> tuple[dict[str, Any], bytes]:
         "section": table.section,
         "parts": [part_to_words(part) for part in table.parts],
         "hints": list(table.hints),
+        "example": example,
         "misconceptions": table.misconceptions,
         "links": table.links,
         "matters": list(table.matters),

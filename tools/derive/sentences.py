@@ -22,6 +22,9 @@ _END = re.compile(r"(?:(?<=[.?!:])|(?<=[.?!:]\*)|(?<=[.?!:]\*\*))\s+(?=[A-Z*`\[(
 #: What stands after these is no new sentence.
 _NO_END = re.compile(r"(?:\be\.g|\bi\.e|section)\.$|:\*{0,2}$")
 
+#: The example on a page, which is the card's.
+_EXAMPLE = re.compile(r"<!-- begin example .*?<!-- end example \w+ -->\n", re.DOTALL)
+
 #: Where a code block of a statement stands.
 CODE = "example"
 
@@ -47,11 +50,13 @@ def list_sentences(exercise: Exercise) -> tuple[Sentence, ...]:
     tree = ast.parse(make_starter(exercise))
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
     docstring = inspect.cleandoc(ast.get_docstring(function) or "")
-    return (*split_statement(statement), *split_docstring(docstring))
+    lines = exercise.example.splitlines()
+    call = next(line.strip() for line in lines if f"{exercise.name}(" in line)
+    return (*split_statement(statement), Sentence(CODE, call), *split_docstring(docstring))
 
 
 def take_statement(page: str, name: str) -> str:
-    """Return what stands on a page between the heading of an exercise and its starter.
+    """Return what stands on a page between the heading of an exercise and its example.
 
     Raises
     ------
@@ -63,7 +68,7 @@ def take_statement(page: str, name: str) -> str:
     statement, ends, _ = rest.partition(f"<!-- begin exercise {name} -->")
     if not found or not ends:
         raise ValueError(f"{name}: expected its heading and its starter on a page, got none")
-    return statement.partition("\n")[2].strip()
+    return _EXAMPLE.sub("", statement.partition("\n")[2]).strip()
 
 
 def split_statement(statement: str) -> Iterator[Sentence]:

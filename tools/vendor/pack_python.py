@@ -1,8 +1,9 @@
-"""Pack Python for the pages: the interpreter, NumPy, OpenCV, the library and its check tables.
+"""Pack Python for the pages: the interpreter, NumPy, OpenCV, the library, the simulator, widgets.
 
 A page that is opened from a file may load scripts but nothing else. So every asset becomes one or
 more scripts that hand over a piece of it, gzipped and in base64: ``cameraLabAsset(name, piece,
-text)``. The pages load them on the first click; a check table only with its exercise.
+text)``. Assets come in parts, which the pages load on the first click that needs them; a check
+table comes with its exercise.
 
 Everything goes to ``_build/page_python``, which ``book/_ext/exercise_cells.py`` serves; what the
 pages have to know of it stands in ``_build/page_python.json``. The same input gives the same bytes.
@@ -22,19 +23,21 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from labutils.checks.table import TABLES, load_table, read_words
+from labutils.checks.table import TABLES, read_words
 from tools import ROOT
 from tools.stable_zip import make_zip
-from tools.vendor import page_python, page_wheels
+from tools.vendor import page_python, page_simulator, page_wheels, page_widgets
 from tools.vendor.npm import VendorError
+from tools.vendor.page_optional import find_optional
 
 PACKED = ROOT / "_build" / "page_python"
 MANIFEST = ROOT / "_build" / "page_python.json"
 FOLDER = "python"  # below the static files of the book
 SCRIPTS = ROOT / "book" / "_page_python"
-RUNS_IN_WORKER = ("worker.js", "page_runner.py")
+WORKER = "worker.js"
 LIBRARY = (
     "labutils/*.py",
+    "labutils/_drawing/*.py",
     "labutils/checks/*.py",
     "labutils/checks/*/*.py",
     "labutils/checks/tables/exercises.json",
@@ -49,12 +52,14 @@ DROPPED = re.compile(
 )
 LICENSE = re.compile(r"\.dist-info/.*(?:licen[cs]e|copying)[^/]*$", re.IGNORECASE)
 
-NOTICE = """What runs the exercises of this page, and under which license
+NOTICE = """What runs the code of these pages, and under which license
 
 Pyodide {version}: Mozilla Public License 2.0, https://mozilla.org/MPL/2.0/
     Unchanged; its source is at https://github.com/pyodide/pyodide/tree/{version}
 CPython, inside Pyodide: PSF License 2, https://docs.python.org/3/license.html
 NumPy and OpenCV: numpy-licenses.txt and cv2-licenses.txt beside this file
+MuJoCo, its WebAssembly build {mujoco}: Apache License 2.0, mujoco-licenses.txt beside this file
+ipywidgets, anywidget and what they need: widgets-licenses.txt beside this file
 CodeMirror, the editor: editor-licenses.txt beside this file
 """
 
@@ -69,8 +74,8 @@ def main() -> int:
     version = json.loads((ROOT / "package.json").read_text())["dependencies"]["pyodide"]
     wheels = page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version)
     manifest = pack(wheels, version)
-    megabytes = manifest["bytes"] / 1e6
-    print(f"python in the page: NumPy and OpenCV from {wheels.said}; {megabytes:.1f} MB on a click")
+    sizes = (f"{part} {count_bytes(manifest, part) / 1e6:.1f} MB" for part in manifest["parts"])
+    print(f"python in the page: NumPy and OpenCV from {wheels.said}; on a click {', '.join(sizes)}")
     return 0
 
 
@@ -95,24 +100,33 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     files = sorted(path for pattern in LIBRARY for path in ROOT.glob(pattern))
     library = ((path.relative_to(ROOT).as_posix(), path.read_bytes()) for path in files)
     assets.append(write_asset(folder, "labutils.zip", make_zip(sorted(library))))
-    assets += [write_asset(folder, name, (SCRIPTS / name).read_bytes()) for name in RUNS_IN_WORKER]
+    assets.append(write_asset(folder, WORKER, (SCRIPTS / WORKER).read_bytes()))
+    assets.append(write_asset(folder, "page.zip", make_zip(collect_modules())))
+    parts = {"python": assets}
+    for part, contents in (
+        ("simulator", page_simulator.make_simulator_assets()),
+        ("widgets", page_widgets.make_widget_assets()),
+    ):
+        parts[part] = [write_asset(folder, *one) for one in sorted(contents.items())]
     tables = {
         name: write_asset(folder, f"tables/{name}.npz", (TABLES / f"{name}.npz").read_bytes())
-        for name in list_page_exercises()
+        for name in read_words()
     }
     for path in sorted(SCRIPTS.glob("*.js")):
-        if path.name not in RUNS_IN_WORKER:
+        if path.name != WORKER:
             shutil.copyfile(path, folder / path.name)
     shutil.copyfile(vendor / page_python.EDITOR, folder / page_python.EDITOR)
     licenses = (vendor / page_python.EDITOR_LICENSES).read_text(encoding="utf-8")
     _write(folder / "licenses" / page_python.EDITOR_LICENSES, licenses)
-    _write(folder / "licenses" / "NOTICE.txt", NOTICE.format(version=version))
+    _write(folder / "licenses" / "widgets-licenses.txt", page_widgets.read_widget_licenses())
+    notice = NOTICE.format(version=version, mujoco=page_simulator.get_version())
+    _write(folder / "licenses" / "NOTICE.txt", notice)
     manifest = {
         "version": wanted,
-        "assets": assets,
+        "parts": parts,
         "tables": tables,
         "remote": [vars(wheel) for wheel in wheels.remote],
-        "bytes": sum(asset["bytes"] for asset in assets),
+        "optional": find_optional(vendor / page_python.LOCK, version),
         "lock": _read_lock_info(version),
     }
     shutil.rmtree(PACKED, ignore_errors=True)
@@ -121,9 +135,16 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     return manifest
 
 
-def list_page_exercises() -> list[str]:
-    """List the exercises that can be checked where MuJoCo does not exist, in their order."""
-    return [name for name in read_words() if not load_table(name).needs_mujoco]
+def collect_modules() -> Iterator[tuple[str, bytes]]:
+    """Find what runs the cells; a folder called `IPython` would hide the real one from us."""
+    for path in sorted(SCRIPTS.rglob("*.py")):
+        name = path.relative_to(SCRIPTS).as_posix()
+        yield re.sub("^ipython/", "IPython/", name), path.read_bytes()
+
+
+def count_bytes(manifest: dict[str, Any], *parts: str) -> int:
+    """Add up how much of these parts travels, in bytes."""
+    return sum(asset["bytes"] for part in parts for asset in manifest["parts"][part])
 
 
 def write_asset(folder: Path, name: str, content: bytes) -> dict[str, Any]:
@@ -167,8 +188,9 @@ def _read_lock_info(version: str) -> dict[str, Any]:
 def _fingerprint(wheels: page_wheels.Wheels) -> str:
     """Name what `_build/page_python` should hold."""
     digest = hashlib.sha256((page_python.VENDOR / page_python.STAMP).read_bytes())
-    sources = [Path(__file__), *SCRIPTS.glob("*"), *TABLES.glob("*.npz"), *wheels.files.values()]
+    sources = [Path(__file__), *SCRIPTS.rglob("*.*"), *TABLES.glob("*.npz"), *wheels.files.values()]
     sources += [path for pattern in LIBRARY for path in ROOT.glob(pattern)]
+    sources += page_widgets.list_widget_sources()
     for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     digest.update(repr(wheels.remote).encode())

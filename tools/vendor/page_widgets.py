@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 ASSET = "widgets.zip"
 PACKAGES = ("anywidget", "comm", "ipywidgets", "psygnal", "traitlets", "typing_extensions")
-STUB = ROOT / "book" / "_page_python" / "ipython"
-BRIDGE = ROOT / "book" / "_page_python" / "page_comms.py"
 EXPLORERS = ROOT / "labutils" / "explorers"
 
 #: Of the packages, what no widget needs: tests, commands of IPython, settings of applications.
@@ -60,15 +58,12 @@ def read_widget_licenses() -> str:
 
 def list_widget_sources() -> list[Path]:
     """List our own files among the contents, for who has to know whether they changed."""
-    return [BRIDGE, *sorted(STUB.rglob("*.py")), *_list_explorers()]
+    return _list_explorers()
 
 
 def _collect() -> Iterator[tuple[str, bytes]]:
     for name in PACKAGES:
         yield from _collect_package(_find(name))
-    yield BRIDGE.name, BRIDGE.read_bytes()
-    for path in sorted(STUB.rglob("*.py")):
-        yield f"IPython/{path.relative_to(STUB).as_posix()}", path.read_bytes()
     for path in _list_explorers():
         yield path.relative_to(ROOT).as_posix(), path.read_bytes()
 

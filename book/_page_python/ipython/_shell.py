@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 import sys
-import traceback
 from typing import TYPE_CHECKING, Any
 
-# these lie beside this package in the page
-import page_cells  # type: ignore[import-not-found]
-import page_errors  # type: ignore[import-not-found]
-import page_outputs  # type: ignore[import-not-found]
+import page_outputs
 
 from ._sinks import publish
 
@@ -58,17 +54,7 @@ class Shell:
         """Show an exception, by default the one that is being handled."""
         error = exc_tuple[1] if exc_tuple else sys.exception()
         if error is not None:
-            publish(make_error(error))
-
-
-def make_error(error: BaseException) -> dict[str, Any]:
-    """Return an exception of a callback as an output, told as that of a cell."""
-    cells = page_cells.SESSION.cells
-    frames = [one.filename for one in traceback.extract_tb(error.__traceback__)]
-    own = [name for name in frames if name in cells]
-    text = page_errors.describe(error, own[-1] if own else "a callback", cells)
-    kind = type(error).__name__
-    return {"output_type": "error", "ename": kind, "evalue": str(error), "traceback": [text]}
+            publish(page_outputs.make_error(error))
 
 
 _shell = Shell()

@@ -6,7 +6,7 @@ import io
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-import page_outputs  # type: ignore[import-not-found]  # lies beside this package in the page
+import page_outputs
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -19,32 +19,21 @@ _sinks: list[Callable[[Output], None]] = []
 
 def publish(output: Output) -> None:
     """Hand an output to who asked last, else to the page."""
-    page_outputs.publish(output)
+    if _sinks:
+        _sinks[-1](output)
+    else:
+        page_outputs.publish(output)
 
 
 @contextmanager
 def redirect(sink: Callable[[Output], None]) -> Iterator[None]:
-    """Give a function what is displayed and printed meanwhile.
-
-    All that shows something looks `page_outputs.publish` up when it does, so one name is enough.
-    """
-    before = page_outputs.publish
-    page_outputs.publish = sink
+    """Give a function what is displayed and printed meanwhile."""
     _sinks.append(sink)
     try:
         with redirect_stdout(_Stream("stdout")), redirect_stderr(_Stream("stderr")):
             yield
     finally:
         _sinks.pop()
-        page_outputs.publish = before
-
-
-def clear(*, wait: bool) -> None:
-    """Take away what was shown: by who asked last, else by the page."""
-    if _sinks:
-        publish({"output_type": "clear_output", "wait": wait})
-    else:
-        page_outputs.clear()  # shown when the cell has ended, so there is nothing to wait for
 
 
 class OutputList:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, ClassVar
 
-import page_outputs  # type: ignore[import-not-found]  # lies beside this package in the page
+import page_outputs
 
-from ._sinks import clear, publish
+from ._sinks import publish
 
 __all__ = ["HTML", "SVG", "Image", "Latex", "Markdown", "clear_output", "display"]
 
@@ -21,7 +21,7 @@ def display(*objs: Any, **_options: Any) -> None:
 
 def clear_output(wait: bool = False) -> None:  # noqa: FBT001, FBT002 - IPython's signature
     """Take away what the cell has shown, now or with the next output."""
-    clear(wait=wait)
+    publish({"output_type": "clear_output", "wait": wait})
 
 
 class _Text:

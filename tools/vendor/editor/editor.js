@@ -35,15 +35,19 @@ const leaveWithTab = EditorView.domEventObservers({
  * @param {string} options.describedBy id of the line of help
  * @param {(text: string) => void} options.onChange after the reader edits
  * @param {() => void} options.onCheck for Ctrl or Cmd and Enter
+ * @param {() => void} [options.onRun] for Shift and Enter; without it the same
  */
-export function createEditor({ parent, text, label, describedBy, onChange, onCheck }) {
-  const check = {
-    key: "Mod-Enter",
+export function createEditor({ parent, text, label, describedBy, onChange, onCheck, onRun }) {
+  const keys = [
+    { key: "Mod-Enter", act: onCheck },
+    { key: "Shift-Enter", act: onRun ?? onCheck },
+  ].map(({ key, act }) => ({
+    key,
     run() {
-      onCheck();
+      act();
       return true; // nobody else shall hear of this key
     },
-  };
+  }));
   const view = new EditorView({
     parent,
     state: EditorState.create({
@@ -57,7 +61,7 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
         bracketMatching(),
         python(),
         syntaxHighlighting(classHighlighter),
-        Prec.highest(keymap.of([check])),
+        Prec.highest(keymap.of(keys)),
         leaveWithTab,
         keymap.of([indentWithTab, ...defaultKeymap, ...historyKeymap]),
         EditorView.contentAttributes.of({

@@ -1,0 +1,108 @@
+"""Arrays of the engine for NumPy, which cannot look into the engine's memory.
+
+An object of the engine has mirrors: copies of the stretches of memory that hold its arrays. What
+Python sees are views of the mirrors. They are copied into the engine before a call, and back after
+it, so that a write to an array reaches the engine, and an array that was kept shows the newest
+numbers. Both memories may grow: a stretch is looked up by its address, which never changes.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._engine import bridge
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+#: Bytes from which on an array is copied when it is asked for, and not with every call: textures.
+BIG = 1 << 16
+
+_DTYPES = {
+    "Float64Array": "f8",
+    "Float32Array": "f4",
+    "Int32Array": "i4",
+    "Uint32Array": "u4",
+    "Int8Array": "i1",
+    "Uint8Array": "u1",
+    "BigInt64Array": "i8",
+    "BigUint64Array": "u8",
+}
+
+
+class Memory:
+    """The mirrors of one object of the engine."""
+
+    def __init__(self) -> None:
+        self._stretches: list[tuple[int, np.ndarray]] = []
+
+    def add(self, start: int, end: int) -> np.ndarray:
+        """Mirror a stretch of memory; return the mirror, filled."""
+        mirror = np.empty(end - start, np.uint8)
+        if mirror.size:
+            bridge.getBytes(start, mirror.size).assign_to(mirror)
+            self._stretches.append((start, mirror))
+        return mirror
+
+    def push(self) -> None:
+        """Bring what Python has written into the engine."""
+        for start, mirror in self._stretches:
+            bridge.getBytes(start, mirror.size).assign(mirror)
+
+    def pull(self) -> None:
+        """Bring what the engine has written to Python."""
+        for start, mirror in self._stretches:
+            bridge.getBytes(start, mirror.size).assign_to(mirror)
+
+    def find(self, address: int, count: int) -> np.ndarray | None:
+        """Return the part of a mirror that stands for some bytes, or None."""
+        for start, mirror in self._stretches:
+            if start <= address and address + count <= start + mirror.size:
+                return mirror[address - start : address - start + count]
+        return None
+
+    def move(self, place: Callable[[int], int]) -> None:
+        """Take every stretch at another address: the arrays of Python stay what they are."""
+        self._stretches = [(place(start), mirror) for start, mirror in self._stretches]
+
+
+def read(address: int, count: int) -> np.ndarray:
+    """Copy bytes of the engine."""
+    content = np.empty(count, np.uint8)
+    if count:
+        bridge.getBytes(address, count).assign_to(content)
+    return content
+
+
+def write(address: int, content: np.ndarray) -> None:
+    """Copy bytes into the engine."""
+    if content.nbytes:
+        flat = np.ascontiguousarray(content).reshape(-1).view(np.uint8)
+        bridge.getBytes(address, flat.size).assign(flat)
+
+
+def shape_bytes(content: np.ndarray, kind: str, theirs: str, shape: tuple[int, ...]) -> Any:
+    """Give bytes the type and the shape that the real package has.
+
+    Parameters
+    ----------
+    content : ndarray, uint8
+        The bytes.
+    kind : str
+        The type in the real package: a dtype, or ``bytes``.
+    theirs : str
+        The kind of array in the engine, which counts where the sizes differ.
+    shape : tuple of int
+        As in the real package.
+    """
+    if kind == "bytes":
+        return content.tobytes()
+    count = int(np.prod(shape))
+    if count * np.dtype(kind).itemsize != content.size:
+        values = content.view(_DTYPES[theirs])
+        if values.size != count:  # not made yet: the engine has no array there
+            return np.empty((0, *shape[1:]), kind)
+        return values.astype(kind).reshape(shape)
+    return content.view(kind).reshape(shape)

@@ -1,0 +1,156 @@
+"""What models and states have in common: arrays of one block of the engine's memory, and names."""
+
+from __future__ import annotations
+
+import json
+import weakref
+from typing import Any
+
+import numpy as np
+
+from ._derived import ABSENT, FIELDS, VIEWS, Field
+from ._engine import ask, bridge
+from ._memory import BIG, Memory, read, shape_bytes, write
+from ._named import ALIASES, View, make_view
+from ._structs import MODULE, from_number, make_list, make_struct, to_number
+
+
+class EngineObject:
+    """A model or a state: its arrays, its numbers and its named views."""
+
+    _kind = ""
+
+    def __init__(self, handle: Any, sizes: Any) -> None:
+        start = int(handle.buffer.byteOffset)
+        arrays = json.loads(bridge.listArrays(handle))
+        end = start + int(handle.nbuffer)
+        memory = Memory()
+        for first, last in _list_stretches(start, end, arrays):
+            memory.add(first, last)
+        self.__dict__.update(
+            _handle=handle, _start=start, _end=end, _arrays=arrays, _memory=memory, _sizes=sizes
+        )
+        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        field = FIELDS[self._kind].get(name)
+        if field is not None:
+            return self._read(name, field)
+        if (kind := ALIASES.get(name, name)) in VIEWS[self._kind]:
+            return lambda key="": self._make_view(kind, key)
+        if name in ABSENT[self._kind]:
+            message = f"{self._kind}.{name} is not in the page's MuJoCo; run the notebook"
+        else:
+            message = f"'{MODULE}.{self._kind}' object has no attribute '{name}'"
+        raise AttributeError(message, name=name, obj=self)
+
+    def _read(self, name: str, field: Field) -> Any:
+        if field.sizes == ("*",):
+            vector = getattr(self._handle, name)
+            count = self.ncon if name == "contact" else vector.size()
+            return make_list(field.kind, vector, count)
+        if field.sizes:
+            return self._read_array(name, field)
+        if field.kind in FIELDS:
+            self.__dict__[name] = make_struct(field.kind, getattr(self._handle, name), self._memory)
+            return self.__dict__[name]
+        return from_number(field.kind, getattr(self._handle, name))
+
+    def _read_array(self, name: str, field: Field) -> Any:
+        """Return a view of the mirror, or a copy of what cannot be mirrored."""
+        address, count, theirs = self._arrays[name]
+        shape = tuple(self._resolve(size) for size in field.sizes)
+        is_static = self._start <= address < self._end or name in IN_STRUCT
+        if not is_static:  # made anew by every step, and not always there
+            address, count, theirs = json.loads(bridge.findArray(self._handle, name))
+            content = read(address, count if address else 0)
+            return shape_bytes(content, field.kind, theirs, shape)
+        if count > BIG:
+            return _make_big(address, count, field, theirs, shape)
+        mirror = self._memory.find(address, count)
+        if mirror is None:
+            mirror = self._memory.add(address, address + count)
+        array = shape_bytes(mirror, field.kind, theirs, shape)
+        if isinstance(array, np.ndarray):
+            self.__dict__[name] = array  # the same object every time
+        return array
+
+    def _resolve(self, size: str) -> int:
+        """Return a size: a number, or the name of one in the model or the state."""
+        name, _, factor = size.partition("*")
+        if name.isdecimal():
+            return int(name)
+        owner = self if name in FIELDS[self._kind] else self._sizes
+        return int(getattr(owner, name)) * int(factor or 1)
+
+    def _make_view(self, kind: str, key: Any) -> View:
+        return make_view(self, kind, key)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        field = FIELDS[self._kind].get(name)
+        if field and field.sizes and field.sizes != ("*",):
+            self._write_array(name, value)
+        elif field and not field.sizes and field.kind not in FIELDS and self._kind == "MjData":
+            setattr(self._handle, name, to_number(name, value))
+        else:
+            getattr(self, name)  # where there is no such name, this says so
+            raise AttributeError(f"property of '{self._kind}' object has no setter")
+
+    def _write_array(self, name: str, value: Any) -> None:
+        array = getattr(self, name)
+        array[...] = value
+        address, count, _ = self._arrays[name]
+        if count > BIG:
+            write(address, array)
+
+    def __dir__(self) -> list[str]:
+        accessors = [one for one in (*VIEWS[self._kind], *ALIASES) if self._has_views(one)]
+        return sorted([*super().__dir__(), *FIELDS[self._kind], *accessors])
+
+    def _has_views(self, name: str) -> bool:
+        return ALIASES.get(name, name) in VIEWS[self._kind]
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> EngineObject:
+        return self.__copy__()
+
+    def __copy__(self) -> EngineObject:
+        raise NotImplementedError
+
+
+#: Arrays that lie in the struct itself, beside the block.
+IN_STRUCT = frozenset({"energy", "solver_fwdinv", "solver_niter", "solver_nnz"})
+
+
+def _list_stretches(
+    start: int, end: int, arrays: dict[str, tuple[int, int, str]]
+) -> list[tuple[int, int]]:
+    """List the stretches of the block between its big arrays, which are copied when asked for."""
+    big = sorted(
+        (address, address + count)
+        for address, count, _ in arrays.values()
+        if start <= address < end and count > BIG
+    )
+    found = []
+    for first, last in big:
+        found.append((start, first))
+        start = last
+    return [*found, (start, end)]
+
+
+def _make_big(
+    address: int, count: int, field: Field, theirs: str, shape: tuple[int, ...]
+) -> np.ndarray:
+    """Return a copy that cannot be written, because the engine would not see it."""
+    array: np.ndarray = shape_bytes(read(address, count), field.kind, theirs, shape)
+    array.flags.writeable = False
+    return array
+
+
+def create(function: Any, *arguments: Any, otherwise: type[Exception]) -> Any:
+    """Let the engine make an object; return its handle."""
+    handle = ask(function, *arguments, otherwise=otherwise)
+    if handle is None:
+        raise otherwise("the engine made nothing")
+    return handle

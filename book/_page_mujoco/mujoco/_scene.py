@@ -1,0 +1,28 @@
+"""``mujoco.MjvScene``: what OpenGL would draw. Rays do not read it, but a reader may look into it."""
+
+from __future__ import annotations
+
+import weakref
+from typing import Any
+
+from ._engine import ask, engine
+from ._memory import Memory
+from ._structs import MODULE, Struct, StructList, make_list
+
+
+class MjvScene(Struct):
+    """Geoms, lights and cameras of a picture, as ``mjv_updateScene`` collects them."""
+
+    __module__ = MODULE
+    _kind = "MjvScene"
+
+    def __init__(self, model: Any = None, maxgeom: int = 0) -> None:
+        handle = None if model is None else model._handle
+        made = ask(engine.MjvScene.new, *(() if handle is None else (handle, int(maxgeom))))
+        weakref.finalize(self, made.delete)
+        self.__dict__.update(_handle=made, _memory=Memory())
+
+    @property
+    def geoms(self) -> StructList:
+        """The geoms that there are now; a copy."""
+        return make_list("MjvGeom", self._handle.geoms, self.ngeom)

@@ -1,0 +1,62 @@
+"""The page's Python under Node: the same assets that a page loads, and one start for all tests."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from tools import ROOT
+from tools.stable_zip import make_zip
+from tools.vendor import npm, pack_python, page_python, page_simulator, page_wheels
+
+HARNESS = ROOT / "tests" / "page" / "_python.mjs"
+#: Beside what every page loads: all check tables, which a page loads one by one.
+LIBRARY = (*pack_python.LIBRARY, "labutils/checks/tables/*.npz", "labutils/explorers/*.py")
+
+
+def find_wheels() -> page_wheels.Wheels:
+    """Find NumPy and OpenCV for the page, as a build of the book does."""
+    version = json.loads((ROOT / "package.json").read_text("utf-8"))["dependencies"]["pyodide"]
+    return page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version)
+
+
+def write_assets(folder: Path, wheels: page_wheels.Wheels, extra: dict[str, bytes]) -> None:
+    """Write what the harness loads.
+
+    Parameters
+    ----------
+    folder : Path
+        A new one.
+    wheels : Wheels
+        With files.
+    extra : dict
+        More files for Python to import or read, by their places beside ``labutils``.
+    """
+    vendor = folder / "vendor"
+    vendor.mkdir(parents=True)
+    for name in (*page_python.CORE, page_python.LOCK):
+        shutil.copyfile(page_python.VENDOR / name, vendor / name)
+    for name, path in wheels.files.items():
+        (folder / f"{name}.zip").write_bytes(pack_python.trim_wheel(path))
+    paths = {path for pattern in LIBRARY for path in ROOT.glob(pattern)}
+    library = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in paths}
+    (folder / "labutils.zip").write_bytes(make_zip(sorted((library | extra).items())))
+    for name, content in page_simulator.make_simulator_assets().items():
+        # Node takes a file for a module by its ending
+        place = folder / (name[:-3] + ".mjs" if name.endswith(".js") else name)
+        place.write_bytes(content)
+
+
+def run_files(assets: Path, out: Path, *files: Path) -> dict[str, Any]:
+    """Run files in one start of the page's Python; return what each of them answers."""
+    command = [*npm.find_node(), "--no-warnings", str(HARNESS), str(assets), str(out)]
+    done = subprocess.run(
+        [*command, *map(str, files)], capture_output=True, text=True, check=False, timeout=600
+    )
+    if done.returncode:
+        raise AssertionError(f"the page's Python did not run: {done.stderr[-3000:]}")
+    said: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return said
