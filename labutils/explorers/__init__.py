@@ -11,6 +11,7 @@ from labutils.explorers.depth_convention import DepthConventionExplorer, explore
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
 from labutils.explorers.hsv import HsvExplorer, explore_hsv
+from labutils.explorers.scene import SceneExplorer, explore_scene
 from labutils.explorers.stereo import StereoExplorer, explore_stereo
 
 __all__ = [
@@ -19,11 +20,13 @@ __all__ = [
     "DepthRangeExplorer",
     "FovExplorer",
     "HsvExplorer",
+    "SceneExplorer",
     "StereoExplorer",
     "explore_cloud",
     "explore_depth_convention",
     "explore_depth_range",
     "explore_fov",
     "explore_hsv",
+    "explore_scene",
     "explore_stereo",
 ]

@@ -215,12 +215,17 @@ def encode_rgb(rgb_image: np.ndarray) -> bytes:
     return _encode(cv2.cvtColor(check_rgb_image("rgb_image", rgb_image), cv2.COLOR_RGB2BGR))
 
 
-def encode_depth(depth_metric: np.ndarray) -> bytes:
-    """Compress a depth image, in steps of `DEPTH_STEP`; what is no depth, or beyond, becomes 0."""
+def depth_to_steps(depth_metric: np.ndarray) -> np.ndarray:
+    """Count depth in steps of `DEPTH_STEP`: uint16 (H, W), 0 for what is no depth, or beyond."""
     depth = check_depth_image("depth_metric", depth_metric).astype(np.float64)
     steps = np.round(np.where(np.isfinite(depth), depth, 0.0) / DEPTH_STEP)
     steps[(steps < 0) | (steps > _MAX_STEPS)] = 0
-    return _encode(steps.astype(np.uint16))
+    return steps.astype(np.uint16)
+
+
+def encode_depth(depth_metric: np.ndarray) -> bytes:
+    """Compress a depth image, in steps of `DEPTH_STEP`; what is no depth, or beyond, becomes 0."""
+    return _encode(depth_to_steps(depth_metric))
 
 
 def decode_depth(png: bytes) -> np.ndarray:

@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 import traitlets
 
+from labutils import make_scene
 from labutils.explorers import (
     explore_cloud,
     explore_depth_range,
     explore_hsv,
+    explore_scene,
     explore_stereo,
 )
 from labutils.explorers._base import PixelExplorer, PixelView, read_size
@@ -26,6 +28,7 @@ MAKERS: dict[str, Callable[[], PixelExplorer]] = {
     "CloudView": lambda: explore_cloud(RGB, DEPTH, MATRIX),
     "DepthRangeView": lambda: explore_depth_range(DEPTH, clip=(0.02, 12.0)),
     "HsvView": lambda: explore_hsv(RGB),
+    "SceneView": lambda: explore_scene(*make_scene(), width=WIDTH, height=HEIGHT),
     "StereoView": lambda: explore_stereo(RGB, DEPTH, MATRIX),
 }
 
