@@ -24,7 +24,8 @@ await main(async (browser, site, name) => {
   seen.loading = await page.evaluate(() => window.seenStatus);
 
   // --- a cell far below: those above run first, and the page does not move under the reader ---
-  const shown = (seen.number = await findShown(page));
+  const shown = await findShown(page);
+  seen.number = shown;
   const place = () => ui.button(page, shown, "Run").evaluate((b) => b.getBoundingClientRect().y);
   await ui.button(page, shown, "Run").scrollIntoViewIfNeeded();
   const before = await place();
