@@ -67,7 +67,10 @@
       window.cameraLab.widgets?.clear(this.element); // of the run before
       this.element.replaceChildren(...parts);
       this.switch.hidden = !(this.built && parts.length);
-      this.choose(parts.length > 0 && (isWanted || !this.built || said.result !== "ran"));
+      // a widget that Python hears has to be the one that is seen
+      const isLive = parts.some((part) => part.classList.contains("cell-widget"));
+      const isNews = isWanted || isLive || !this.built || said.result !== "ran";
+      this.choose(parts.length > 0 && isNews);
       if (this.built && window.cameraLab.widgets) {
         await window.cameraLab.widgets.carry(this.built, this.element);
       }
