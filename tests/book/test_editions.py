@@ -346,6 +346,10 @@ def test_a_challenge_shows_its_helpers() -> None:
     card = load_exercises()["process_depth"]
     assert is_answered_by_library(card)
     assert card.reference is labutils.process_depth
-    assert not is_answered_by_library(
-        replace(card, name="count_bright_regions", reference=count_bright_regions)
+    challenge = replace(
+        card,
+        name="count_bright_regions",
+        example="show(count_bright_regions(depth, 0.02, 12.0))",
+        reference=count_bright_regions,
     )
+    assert not is_answered_by_library(challenge)

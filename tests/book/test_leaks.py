@@ -56,6 +56,7 @@ def challenge() -> Exercise:
     return replace(
         card,
         name="count_bright_regions",
+        example="show(count_bright_regions(depth, 0.02, 12.0))",
         reference=count_bright_regions,
         answer_with=count_bright_regions,
         parts=(Part("count", "number", "int"),),
