@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from labutils.explorers.hsv import MAX_HUE
+from labutils._constants import MAX_HUE
 
 
 @pytest.fixture(scope="module", params=["hsv", "scene", "plain"])
