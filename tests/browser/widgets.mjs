@@ -64,18 +64,18 @@ async function useHsv(browser, site, name) {
   await handle.and(page.locator('[aria-valuetext="77"]')).waitFor();
 
   // while Python is busy the page holds back what is overwritten anyway
-  await page.evaluate(() => {
-    const { python } = window.cameraLab;
-    window.sent = 0;
-    const { sendComm } = python;
-    window.cameraLab.widgets.onSend = (message) => {
-      window.sent += 1;
-      sendComm(message);
+  const counter = await page.evaluateHandle(() => {
+    const { python, widgets } = window.cameraLab;
+    const counted = { messages: 0 };
+    widgets.onSend = (message) => {
+      counted.messages += 1;
+      python.sendComm(message);
     };
+    return counted;
   });
   const busy = ask(page, "import time\nuntil = time.time() + 2\nwhile time.time() < until: pass");
   for (let i = 0; i < 20; i++) await handle.press("ArrowRight");
-  seen.sentWhileBusy = await page.evaluate(() => window.sent);
+  seen.sentWhileBusy = await counter.evaluate(({ messages }) => messages);
   await busy;
   seen.afterBusy = await ask(page, "print(hsv_explorer.hsv_range)");
 
