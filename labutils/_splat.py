@@ -5,6 +5,8 @@ It draws what an OpenGL viewer would, on a machine that has none, and the same p
 
 from __future__ import annotations
 
+from functools import reduce
+
 import numpy as np
 
 from labutils._drawing.color_maps import find_steps, get_table
@@ -62,7 +64,6 @@ def render_points(
     ndarray, uint8, shape (H, W, 4)
         RGBA, transparent where no point is.
     """
-    width, height = size
     in_cam = points @ T_cam_world[:3, :3].T + T_cam_world[:3, 3]
     in_front = in_cam[:, 2] > 1e-6
     in_cam, colors = in_cam[in_front], colors[in_front]
@@ -76,27 +77,23 @@ def render_points(
     pixels = np.zeros((len(u) + 1, 4), np.uint8)  # the first is empty
     pixels[1:, :3] = np.round(255 * np.clip(colors, 0, 1))
     pixels[1:, 3] = 255
-    nearest = _find_nearest(u, v, size, point_size)
-    return pixels[nearest].reshape(height, width, 4)
+    return pixels[_find_nearest(u, v, size, point_size)]
 
 
 def _find_nearest(u: np.ndarray, v: np.ndarray, size: tuple[int, int], side: int) -> np.ndarray:
     """Return which square is on top in every pixel, counted from 1; 0 where there is none.
 
-    The squares come far first. One pixel of all squares is tested after the other: all at once
-    would take as much memory as there are pixels in all squares.
+    The squares come far first, so the highest number wins: in the pixel where a square begins, and
+    then in all pixels that squares reach which begin up to `side - 1` to the left and above.
     """
     width, height = size
-    nearest = np.zeros(width * height, np.int32)
+    reach = side - 1
+    begun = np.zeros((height + reach, width + reach), np.int32)
+    inside = (u >= -reach) & (u < width) & (v >= -reach) & (v < height)
     numbers = np.arange(1, len(u) + 1, dtype=np.int32)
-    for dv in range(side):
-        for du in range(side):
-            inside = (u + du >= 0) & (u + du < width) & (v + dv >= 0) & (v + dv < height)
-            place = (v + dv)[inside] * width + (u + du)[inside]
-            drawn = np.zeros_like(nearest)
-            drawn[place] = numbers[inside]  # of those in one place, the last
-            np.maximum(nearest, drawn, out=nearest)
-    return nearest
+    begun[v[inside] + reach, u[inside] + reach] = numbers[inside]  # of those in one pixel, the last
+    rows = reduce(np.maximum, (begun[start : start + height] for start in range(side)))
+    return reduce(np.maximum, (rows[:, start : start + width] for start in range(side)))
 
 
 def make_axes_points(length: float, count: int = 400) -> tuple[np.ndarray, np.ndarray]:

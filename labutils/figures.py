@@ -14,7 +14,7 @@ import numpy as np
 from labutils._constants import TURN_WORLD
 from labutils._drawing import draw
 from labutils._drawing.parts import ColorBar, Curve, Panel, Plot, Sheet
-from labutils._drawing.scales import Axis, get_limits, get_range, widen
+from labutils._drawing.scales import Axis, get_color_limits, get_limits, widen
 from labutils._drawing.style import CATEGORY_COLORS, WIDTHS
 from labutils._guards import check_columns, check_curve, check_depth_image, check_picture
 from labutils._picture import Picture
@@ -111,7 +111,7 @@ def plot_depth(
     """
     depth = check_depth_image("depth", depth)
     shown = np.where(np.isfinite(depth), depth, np.nan)
-    panel = Panel(title, shown, "turbo", limits or get_range(shown))
+    panel = Panel(title, shown, "turbo", get_color_limits(shown, limits))
     height = WIDTHS[width] * 0.87 * depth.shape[0] / depth.shape[1] + 0.36
     bar = ColorBar(f"depth ({unit})", (0,), "right")
     return draw(Sheet(title or "depth image", WIDTHS[width], height, 1, (panel,), (bar,)))
@@ -144,10 +144,10 @@ def plot_comparison(
     if ours.shape != truth.shape:
         raise ValueError(f"truth: expected the size of ours {ours.shape}, got {truth.shape}")
     error_mm = 1000.0 * (ours.astype(np.float64) - truth)
-    limits = limits or get_range(truth)
+    limits = get_color_limits(truth, limits)
     if error_limit_mm is None:
-        error_limit_mm = max(float(np.nanpercentile(np.abs(error_mm), 99)), 1e-6)
-    scale = (-error_limit_mm, error_limit_mm)
+        error_limit_mm = max(1e-6, float(np.nanpercentile(np.abs(error_mm), 99)))
+    scale = get_color_limits(error_mm, (-error_limit_mm, error_limit_mm))
     panels = (
         Panel("ours", ours, "turbo", limits),
         Panel("truth", truth, "turbo", limits),
@@ -187,10 +187,8 @@ def plot_histogram(
     """
     finite = {name: v[np.isfinite(v)].ravel() for name, v in samples.items()}
     span = widen(*(limits or get_limits(np.concatenate(list(finite.values())), margin=0)))
-    curves = []
-    for name, values in finite.items():
-        counts, edges = np.histogram(values, bins, span)
-        curves.append(Curve(name, edges, counts, steps=True))
+    counted = {name: np.histogram(values, bins, span) for name, values in finite.items()}
+    curves = tuple(Curve(name, x, y, steps=True) for name, (y, x) in counted.items())
     counts = np.concatenate([curve.y for curve in curves])
     count_limits = get_limits(counts, log=True) if log else (0.0, 1.05 * max(counts.max(), 1))
     return draw(
@@ -198,7 +196,7 @@ def plot_histogram(
             f"histogram of {', '.join(finite)}",
             WIDTHS["full"],
             2.6,
-            tuple(curves),
+            curves,
             Axis(label, span),
             Axis("pixels", count_limits, log),
             line_width=1.6,
@@ -289,8 +287,7 @@ def plot_cloud(
     points = check_columns("points", points, 3)
     if frame not in {"camera", "world"}:
         raise ValueError(f"frame: expected 'camera' or 'world', got {frame!r}")
-    if colors is None:
-        colors = get_depth_colors(points)
+    colors = get_depth_colors(points) if colors is None else colors
     turn = np.eye(3) if frame == "camera" else TURN_WORLD
     turned = points @ turn.T
     if axes:

@@ -17,8 +17,10 @@ _SHOWS = {"show", "print"}
 def verify_example(name: str, code: str) -> None:
     """Refuse an example that is no code, is too long, calls another function, or shows nothing."""
     lines = code.splitlines()
-    if not 1 <= len(lines) <= MAX_LINES or code != code.strip("\n"):
+    if not 1 <= len(lines) <= MAX_LINES:
         raise ValueError(f"{name}: expected an example of 1 to {MAX_LINES} lines, got {len(lines)}")
+    if code != code.strip():
+        raise ValueError(f"{name}: expected an example without spaces around, got {code[-20:]!r}")
     longest = max(map(len, lines))
     if longest > MAX_COLUMNS:
         raise ValueError(
@@ -27,13 +29,13 @@ def verify_example(name: str, code: str) -> None:
     try:
         tree = ast.parse(code)
     except SyntaxError as error:
-        raise ValueError(f"{name}: expected an example in Python, got {error}") from error
+        raise ValueError(f"{name}: expected an example in Python, got {error.msg}") from error
     called = {
         node.func.id
         for node in ast.walk(tree)
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
     }
     if name not in called:
-        raise ValueError(f"{name}: expected an example that calls it, got calls of {called}")
+        raise ValueError(f"{name}: expected an example that calls it, got {sorted(called)}")
     if not called & _SHOWS:
-        raise ValueError(f"{name}: expected an example that shows or prints, got {called}")
+        raise ValueError(f"{name}: expected an example that shows or prints, got {sorted(called)}")

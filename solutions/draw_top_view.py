@@ -232,8 +232,8 @@ EXERCISE = Exercise(
     ),
     example="""\
 low, high = np.array([0.5, -0.9]), np.array([1.5, 0.9])
-picture = draw_top_view(points_world[::2], colors[::2], low, high, 300)
-show(picture, "the table from above: 3 pixels are 1 cm")""",
+picture = draw_top_view(points_world[::3], colors[::3], low, high, 200)
+show(picture, "the table from above: 1 pixel is 5 mm")""",
     contract=(
         told("map", "Without a screen"),
         asked(

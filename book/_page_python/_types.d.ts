@@ -153,6 +153,7 @@ interface CellEdit {
 interface RunInfo {
   code: string;
   isAsked: boolean;
+  isWanted: boolean;
 }
 /** What takes part in the session of a page: a cell of a chapter, an exercise, the bar. */
 interface SessionCell {

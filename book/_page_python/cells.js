@@ -221,12 +221,12 @@
      * @param {Said} said
      * @param {RunInfo} info
      */
-    async finish(said, { code, isAsked }) {
+    async finish(said, { code, isAsked, isWanted }) {
       this.element.dataset.state = "idle";
       this.element.dataset.result = said.result;
       // what the reader has not asked for, and what is as in the book, need not be seen anew
-      const isWanted = isAsked || cells.some((cell) => cell.isEdited());
-      const isShown = await this.result.show(said, code === this.source, isWanted);
+      const isNews = isWanted || cells.some((cell) => cell.isEdited());
+      const isShown = await this.result.show(said, code === this.source, isNews);
       const seconds = said.seconds ?? 0;
       const time = seconds < 0.1 ? "less than 0.1 s" : `${seconds.toFixed(1)} s`;
       const ran = `ran in ${time}${isShown ? "" : ", nothing to show"}`;

@@ -61,9 +61,10 @@
    * Run one cell, now.
    * @param {SessionCell} cell
    * @param {SessionCell} asked the cell whose button was pressed
+   * @param {boolean} isWanted whether the reader wants to see what it gives
    * @returns {Promise<boolean>} whether those below may run
    */
-  async function runOne(cell, asked) {
+  async function runOne(cell, asked, isWanted) {
     const code = cell.getText();
     const before = ran.get(cell);
     cell.begin();
@@ -84,7 +85,7 @@
       if (before !== undefined && before !== code) forgetBelow(cell);
       ran.set(cell, code);
     }
-    await cell.finish(said, { code, isAsked: cell === asked });
+    await cell.finish(said, { code, isAsked: cell === asked, isWanted });
     for (const listener of listeners) listener();
     return said.result === "ran";
   }
@@ -103,7 +104,7 @@
     for (const cell of wanted) {
       if (turn.isStopped) return false;
       turn.running = cell;
-      if (!(await runOne(cell, asked))) {
+      if (!(await runOne(cell, asked, cell === asked))) {
         if (cell !== asked) asked.fail(cell);
         return false;
       }
@@ -162,7 +163,7 @@
       for (const cell of cells.filter((one) => !one.skipped)) {
         if (turn.isStopped) return false;
         turn.running = cell;
-        good = (await runOne(cell, asked)) && good;
+        good = (await runOne(cell, asked, true)) && good;
       }
       return good;
     });

@@ -44,7 +44,7 @@ def place_beside(bar: ColorBar, panel: Panel, width: float, height: float) -> Bo
     length, above, outside = height - 2 * PAD, 0.0, 0.0
     for _ in range(2):  # its ticks depend on its length, and that on the labels of the ticks
         ticks = make_ticks(axis, count_labels_beside(length))
-        first, last = (1.0, 0.0) if not ticks.labels else axis.to_share(ticks.values[[0, -1]])
+        first, last = axis.to_share(ticks.values[[0, -1]])
         above = max(ABOVE_TICK - (1 - last) * length, measure_note(ticks))
         below = max(BELOW_TICK - first * length, 0.0)
         length = height - 2 * PAD - above - below

@@ -33,6 +33,7 @@ TITLE_LINE = 1.2 * TITLE_FONT
 _FIRST_SHARE = 0.775
 #: The ticks depend on the size of the axes, and that on the labels; twice is enough for most.
 _TRIES = 3
+_SHORTEST = 10.0  # page pixels
 
 
 class Frame(NamedTuple):
@@ -93,4 +94,5 @@ def _fit_height(plot: Plot, height: float, y_ticks: Ticks, title: int) -> tuple[
 
 def _find_largest(room: float, reaching: list[tuple[float, float]]) -> float:
     """Return the largest length of an axis such that share x length + reach fits everywhere."""
-    return min((room - reach) / share for share, reach in reaching if share > 0)
+    fitting = min((room - reach) / share for share, reach in reaching if share > 0)
+    return max(fitting, _SHORTEST)  # names may be longer than a figure is wide

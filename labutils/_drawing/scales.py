@@ -55,16 +55,24 @@ def _add_margin(low: float, high: float, margin: float) -> Limits:
     return low - margin * (high - low), high + margin * (high - low)
 
 
-def get_range(values: np.ndarray) -> Limits:
-    """Return the range of the finite values, for a color scale; 0 to 1 if there is none."""
+def get_color_limits(values: np.ndarray, limits: Limits | None = None) -> Limits:
+    """Return limits for a color scale: without any, the range of the finite values, or 0 to 1."""
     shown = values[np.isfinite(values)]
-    if not shown.size:
+    if limits is None and not shown.size:
         return 0.0, 1.0
-    return widen(float(shown.min()), float(shown.max()), _WIDENED_COLORS)
+    return widen(*(limits or (float(shown.min()), float(shown.max()))), _WIDENED_COLORS)
 
 
 def widen(low: float, high: float, share: float = _WIDENED) -> Limits:
-    """Make a range of one value wide enough to draw."""
+    """Make a range of one value wide enough to draw.
+
+    Raises
+    ------
+    ValueError
+        If the limits are in the wrong order, or one is not a number.
+    """
     if low < high:
         return low, high
+    if low != high:
+        raise ValueError(f"limits: expected low <= high, got {low:g} and {high:g}")
     return (low - share * abs(low), high + share * abs(high)) if low else (-share, share)

@@ -6,6 +6,7 @@ interface Window {
   cameraLab: any;
   axe: any;
   /** Put there by the tests. */
+  seenWords: any;
   seenStatus: any;
   host: any;
   tracks: any;

@@ -24,7 +24,8 @@ await main(async (browser, site, name) => {
   seen.loading = await page.evaluate(() => window.seenStatus);
 
   // --- a cell far below: those above run first, and the page does not move under the reader ---
-  const shown = (seen.number = await findShown(page));
+  const shown = await findShown(page);
+  seen.number = shown;
   const place = () => ui.button(page, shown, "Run").evaluate((b) => b.getBoundingClientRect().y);
   await ui.button(page, shown, "Run").scrollIntoViewIfNeeded();
   const before = await place();
@@ -64,8 +65,9 @@ await main(async (browser, site, name) => {
   await ui.edit(page, 1, ENDLESS);
   seen.endless = await ui.run(page, 1);
   await page.evaluate(() => (window.cameraLab.python.options.limitMs = 600_000));
+  await ui.edit(page, 1, ENDLESS.replace("began", "again"));
   await ui.button(page, 1, "Run").click();
-  await ui.cell(page, 1).locator(".cell-yours").getByText("began").waitFor();
+  await ui.cell(page, 1).locator(".cell-yours").getByText("again").waitFor();
   await ui.button(page, 1, "Stop").click();
   seen.stopped = await ui.settle(page, 1);
   seen.focusAfterStop = await page.evaluate(() => document.activeElement.textContent);

@@ -106,7 +106,7 @@ def test_code_that_never_ends_is_stopped_and_what_it_printed_stays(seen: dict[st
     assert "Stopped after 0.7 seconds" in seen["endless"]["error"]
     assert seen["endless"]["text"] == "began"
     assert seen["stopped"]["error"].startswith("Stopped.")
-    assert seen["stopped"]["text"] == "began"
+    assert seen["stopped"]["text"] == "again"
 
 
 def test_a_change_survives_a_reload(seen: dict[str, Any]) -> None:

@@ -12,8 +12,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from labutils import visualize_pointcloud
-from labutils._drawing.end_labels import spread_labels
-from labutils._drawing.style import INK as _INK
+from labutils._drawing.style import INK
 from labutils._splat import get_view_point, make_look_at, render_points
 from labutils.figures import (
     Picture,
@@ -86,7 +85,7 @@ def test_a_figure_has_a_transparent_ground_and_mid_gray_ink(
     assert bgra.shape[2] == 4
     assert (bgra[..., 3] == 0).mean() > 0.05
     # The ink has a contrast of 4.5:1 and more on white and on the dark ground (#121212).
-    ink = np.array(to_rgb(_INK)[::-1])  # BGR
+    ink = np.array(to_rgb(INK)[::-1])  # BGR
     opaque = bgra[bgra[..., 3] == 255][:, :3].astype(int)
     assert (np.abs(opaque - ink).max(axis=1) <= 2).any()
 
@@ -104,7 +103,7 @@ def relative_luminance(rgb: tuple[int, int, int]) -> float:
 
 
 def test_the_ink_is_readable_on_both_grounds() -> None:
-    ink = relative_luminance(to_rgb(_INK))
+    ink = relative_luminance(to_rgb(INK))
     for ground in ((255, 255, 255), (18, 18, 18)):
         bright, dark = sorted((ink, relative_luminance(ground)), reverse=True)
         # WCAG asks 3:1 for graphics and large text; we want more for small labels.
@@ -114,6 +113,29 @@ def test_the_ink_is_readable_on_both_grounds() -> None:
 def test_comparison_refuses_pictures_of_different_size() -> None:
     with pytest.raises(ValueError, match="truth: expected the size of ours"):
         plot_comparison(np.ones((3, 4)), np.ones((4, 3)))
+
+
+@pytest.mark.parametrize(
+    ("image", "words"),
+    [
+        (np.zeros((4, 5, 2)), r"images\['a'\]: expected shape \(H, W\), \(H, W, 3\) or"),
+        (np.zeros(5), r"images\['a'\]: expected shape .*, got an array of shape \(5,\)"),
+    ],
+)
+def test_what_is_no_picture_is_refused_by_its_title(image: np.ndarray, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        plot_images({"a": image})
+
+
+def test_no_picture_at_all_is_refused() -> None:
+    with pytest.raises(ValueError, match="images: expected at least one picture, got none"):
+        plot_images({})
+
+
+def test_a_curve_without_any_value_is_refused_by_its_name() -> None:
+    lines = {"a": np.ones(2), "b": np.full(2, np.nan)}
+    with pytest.raises(ValueError, match=r"lines\['b'\]: expected at least one finite value"):
+        plot_lines(np.arange(2), lines, x_label="x", y_label="y")
 
 
 def test_cloud_refuses_an_unknown_frame() -> None:
@@ -278,12 +300,3 @@ def test_titles_stand_whole_above_wide_pictures() -> None:
         plot_depth(depth, title="depth"),
     ):
         assert decode(picture)[0, :, 3].max() == 0
-
-
-def test_labels_that_would_overlap_move_apart_and_others_stay() -> None:
-    assert_allclose(spread_labels(np.array([50.0, 10.0]), 13), [50, 10])
-    assert_allclose(spread_labels(np.array([5.0, 5.0]), 13), [-1.5, 11.5])
-    apart = spread_labels(np.array([3.0, 1.0, 2.0, 90.0]), 10)
-    assert_array_equal(np.argsort(apart), [1, 2, 0, 3])
-    # to rounding: the gap is made by adding and taking away again
-    assert np.diff(np.sort(apart)).min() >= 10 - 1e-9

@@ -6,9 +6,11 @@ import io
 import itertools
 import json
 import re
+import shutil
 import subprocess
 import sys
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -57,6 +59,11 @@ def make_wheel(path: Path, **extra: str) -> Path:
     return path
 
 
+def copy_scripts(scripts: Iterable[Path], target: Path) -> None:
+    for path in scripts:
+        shutil.copyfile(path, target / path.name)
+
+
 @pytest.fixture(autouse=True)
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Pack into a folder of the test, from a small stand-in for Pyodide and its wheels."""
@@ -70,6 +77,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     small = {"simulator.zip": b"s" * 100, "vendor/mujoco.wasm": b"w" * 100}
     monkeypatch.setattr(page_simulator, "make_simulator_assets", lambda: small)
     monkeypatch.setattr(page_widgets, "make_widget_assets", lambda: {"widgets.zip": b"x" * 100})
+    monkeypatch.setattr(page_python, "minify_scripts", copy_scripts)
     monkeypatch.setattr(page_python, "VENDOR", vendor)
     monkeypatch.setattr(pack_python, "PACKED", tmp_path / "packed")
     monkeypatch.setattr(pack_python, "MANIFEST", tmp_path / "packed.json")
@@ -128,7 +136,10 @@ def test_licenses_are_shipped_beside_the_assets(wheels: Wheels) -> None:
         "NOTICE.txt",
         "cv2-licenses.txt",
         "editor-licenses.txt",
+        "mujoco-licenses.txt",
         "numpy-licenses.txt",
+        "packages-licenses.txt",
+        "widgets-licenses.txt",
     }
     assert b"Free." in licenses["numpy-licenses.txt"]
     assert b"https://mozilla.org/MPL/2.0/" in licenses["NOTICE.txt"]
@@ -186,7 +197,12 @@ def test_what_is_ours_in_the_assets_holds_no_leak(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     base = manifest["parts"]["python"]
     ours = [asset for asset in base if not asset["name"].startswith("vendor/")]
-    assert {asset["name"] for asset in ours} == {"labutils.zip", "worker.js", "page.zip"}
+    assert {asset["name"] for asset in ours} == {
+        "labutils.zip",
+        "packages.zip",
+        "page.zip",
+        "worker.js",
+    }
     folder = pack_python.PACKED / "python"
     documents: list[tuple[str, str]] = []
     for asset in (*ours, *manifest["tables"].values()):

@@ -171,7 +171,12 @@ def test_an_exercise_gets_its_card_its_statement_and_its_variants(small: Path) -
     page = (small / "exercises/step2_intrinsics.md").read_text(encoding="utf-8")
     assert page.startswith((ROOT / "exercises/step2_intrinsics.md").read_text(encoding="utf-8"))
     assert "(exercise-scale-intrinsics)=\n## FILL: " in page
-    assert "result = scale_intrinsics(K, s)" in page
+    assert 'example="show(scale_intrinsics(K, s))",' in card
+    example, _, rest = page.partition("<!-- begin example scale_intrinsics -->\n")[2].partition(
+        "\n"
+    )
+    assert example == "<!-- end example scale_intrinsics -->"
+    assert rest.strip().startswith("<!-- begin exercise scale_intrinsics -->")
 
 
 def test_an_exercise_of_the_lab_answers_for_a_function_of_the_library(small: Path) -> None:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 import mujoco
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 _REPLICATE = re.compile(r"<replicate[^>]*>(.*?)</replicate>", re.DOTALL)
 _CASTSHADOW = re.compile(r"(<geom\b[^>]*?)\s+castshadow=\"\w+\"")
@@ -39,7 +42,7 @@ def _get_name(inner: str) -> str:
     return found[1]
 
 
-def _place(element: str, prefix: str, geom: mujoco._structs._MjModelGeomViews) -> str:  # noqa: SLF001
+def _place(element: str, prefix: str, geom: mujoco._structs._MjModelGeomViews) -> str:
     """Give a geom the name and the pose of one of its copies."""
     pos, quat = (" ".join(map(repr, one.tolist())) for one in (geom.pos, geom.quat))
     element = element.replace(f'name="{prefix}"', f'name="{geom.name}"')

@@ -1,7 +1,8 @@
 """What the structs of MuJoCo hold: read from the Python package, cut to what the page's engine has.
 
 A field is written as one short text: ``f8 ngeom 3`` is an array of float64 with these sizes, ``f``,
-``i`` and ``b`` are a float, a whole number and a truth, and ``MjOption`` is another struct.
+``i``, ``b`` and ``s`` are a float, a whole number, a truth and a text, ``MjOption`` is another
+struct, and ``mjtGeom`` an enum.
 """
 
 from __future__ import annotations
@@ -56,8 +57,18 @@ DTYPES = {
     "uintptr_t": "u8",
     "char": "bytes",
 }
-#: MuJoCo's types of single numbers; an enum is a whole number too.
-SCALARS = {"mjtNum": "f", "double": "f", "float": "f", "mjtBool": "b"}
+#: MuJoCo's types of single numbers; an enum keeps its name.
+SCALARS = {
+    "mjtNum": "f",
+    "double": "f",
+    "float": "f",
+    "mjtBool": "b",
+    "int": "i",
+    "mjtByte": "i",
+    "mjtSize": "i",
+    "size_t": "i",
+    "uint64_t": "i",
+}
 #: Structs without a name of their own, and what the page's engine calls them.
 VISUAL_PARTS = {
     name: f"MjVisual{name.title()}"
@@ -127,21 +138,24 @@ def describe(field: Any) -> str:
     if isinstance(kind, ast_nodes.AnonymousStructDecl):
         return VISUAL_PARTS[field.name]
     if isinstance(kind, ast_nodes.ArrayType):
-        if str(kind.inner_type) == "char":
-            return ""
-        return _describe_array(kind.inner_type, kind.extents)
+        is_text = str(kind.inner_type) == "char"
+        return "" if is_text else _describe_array(kind.inner_type, kind.extents)
     if isinstance(kind, ast_nodes.PointerType):
-        if field.array_extent is None:
-            return {"mjString": "s"}.get(str(kind.inner_type), "")
-        return _describe_array(kind.inner_type, field.array_extent)
-    if kind.name in structs.STRUCTS:
-        return str(kind.name).replace("mj", "Mj", 1)
-    is_number = kind.name in ("int", "mjtSize", "size_t", "uint64_t", "mjtByte")
-    return SCALARS.get(kind.name, "i" if is_number or kind.name in enums.ENUMS else "")
+        is_text = str(kind.inner_type) == "mjString"
+        return "s" if is_text else _describe_array(kind.inner_type, field.array_extent)
+    return _describe_single(kind.name)
+
+
+def _describe_single(name: str) -> str:
+    if name in STRUCTS:
+        return name.replace("mj", "Mj", 1)
+    return name if name in enums.ENUMS else SCALARS.get(name, "")
 
 
 def _describe_array(inner: Any, extents: Any) -> str:
     name = str(inner).removeprefix("const ")
+    if extents is None:
+        return ""
     if name in structs.STRUCTS:
         return f"{name.replace('mj', 'Mj', 1)} *"
     if name not in DTYPES:

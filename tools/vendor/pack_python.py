@@ -25,8 +25,9 @@ from typing import Any
 
 from labutils.checks.table import TABLES, read_words
 from tools import ROOT
+from tools.derive import page_mujoco
 from tools.stable_zip import make_zip
-from tools.vendor import page_python, page_simulator, page_wheels, page_widgets
+from tools.vendor import npm, page_python, page_simulator, page_wheels, page_widgets
 from tools.vendor.npm import VendorError
 from tools.vendor.page_optional import find_optional
 
@@ -43,6 +44,8 @@ LIBRARY = (
     "labutils/checks/tables/exercises.json",
     "labutils/renderers/*.py",
 )
+#: What the library imports besides; in Python alone, so taken as it is installed.
+PACKAGES = ("tqdm",)
 
 PIECE = 1 << 20  # bytes: small enough that loading shows progress
 # Of the wheels, what no reader's code needs: a third of NumPy.
@@ -58,7 +61,7 @@ Pyodide {version}: Mozilla Public License 2.0, https://mozilla.org/MPL/2.0/
     Unchanged; its source is at https://github.com/pyodide/pyodide/tree/{version}
 CPython, inside Pyodide: PSF License 2, https://docs.python.org/3/license.html
 NumPy and OpenCV: numpy-licenses.txt and cv2-licenses.txt beside this file
-MuJoCo, its WebAssembly build {mujoco}: Apache License 2.0, mujoco-licenses.txt beside this file
+tqdm: packages-licenses.txt beside this file
 ipywidgets, anywidget and what they need: widgets-licenses.txt beside this file
 CodeMirror, the editor: editor-licenses.txt beside this file
 """
@@ -66,14 +69,14 @@ CodeMirror, the editor: editor-licenses.txt beside this file
 
 def main() -> int:
     """Bring ``_build/page_python`` up to date; return the exit code."""
+    version = json.loads((ROOT / "package.json").read_text())["dependencies"]["pyodide"]
     try:
         print(f"python in the page: {page_python.vendor()}", flush=True)
+        wheels = page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version)
+        manifest = pack(wheels, version)
     except VendorError as error:
         print(f"python in the page: {error}", file=sys.stderr)
         return 1
-    version = json.loads((ROOT / "package.json").read_text())["dependencies"]["pyodide"]
-    wheels = page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version)
-    manifest = pack(wheels, version)
     sizes = (f"{part} {count_bytes(manifest, part) / 1e6:.1f} MB" for part in manifest["parts"])
     print(f"python in the page: NumPy and OpenCV from {wheels.said}; on a click {', '.join(sizes)}")
     return 0
@@ -102,6 +105,8 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     assets.append(write_asset(folder, "labutils.zip", make_zip(sorted(library))))
     assets.append(write_asset(folder, WORKER, (SCRIPTS / WORKER).read_bytes()))
     assets.append(write_asset(folder, "page.zip", make_zip(collect_modules())))
+    pure = (file for name in PACKAGES for file in page_widgets.collect_package(name))
+    assets.append(write_asset(folder, "packages.zip", make_zip(sorted(pure))))
     parts = {"python": assets}
     for part, contents in (
         ("simulator", page_simulator.make_simulator_assets()),
@@ -112,15 +117,18 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
         name: write_asset(folder, f"tables/{name}.npz", (TABLES / f"{name}.npz").read_bytes())
         for name in read_words()
     }
-    for path in sorted(SCRIPTS.glob("*.js")):
-        if path.name != WORKER:
-            shutil.copyfile(path, folder / path.name)
+    scripts = (path for path in sorted(SCRIPTS.glob("*.js")) if path.name != WORKER)
+    page_python.minify_scripts(scripts, folder)
     shutil.copyfile(vendor / page_python.EDITOR, folder / page_python.EDITOR)
-    licenses = (vendor / page_python.EDITOR_LICENSES).read_text(encoding="utf-8")
-    _write(folder / "licenses" / page_python.EDITOR_LICENSES, licenses)
-    _write(folder / "licenses" / "widgets-licenses.txt", page_widgets.read_widget_licenses())
-    notice = NOTICE.format(version=version, mujoco=page_simulator.get_version())
-    _write(folder / "licenses" / "NOTICE.txt", notice)
+    texts = {
+        page_python.EDITOR_LICENSES: (vendor / page_python.EDITOR_LICENSES).read_text("utf-8"),
+        "packages-licenses.txt": "\n".join(map(page_widgets.read_license, PACKAGES)),
+        "widgets-licenses.txt": page_widgets.read_widget_licenses(),
+        page_simulator.LICENSES: page_simulator.read_licenses(),
+        "NOTICE.txt": NOTICE.format(version=version) + page_simulator.make_notice(),
+    }
+    for name, text in texts.items():
+        _write(folder / "licenses" / name, text)
     manifest = {
         "version": wanted,
         "parts": parts,
@@ -190,10 +198,12 @@ def _fingerprint(wheels: page_wheels.Wheels) -> str:
     digest = hashlib.sha256((page_python.VENDOR / page_python.STAMP).read_bytes())
     sources = [Path(__file__), *SCRIPTS.rglob("*.*"), *TABLES.glob("*.npz"), *wheels.files.values()]
     sources += [path for pattern in LIBRARY for path in ROOT.glob(pattern)]
-    sources += page_widgets.list_widget_sources()
+    sources += [*page_widgets.list_widget_sources(), *page_simulator.SOURCES.rglob("*.*")]
+    sources += [page_simulator.SCENE, *page_simulator.TEXTURES.glob("*")]
     for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
-    digest.update(repr(wheels.remote).encode())
+    engine = npm.get_checksum(page_mujoco.PACKAGE)
+    digest.update(repr((wheels.remote, engine)).encode())
     return digest.hexdigest()[:16]
 
 

@@ -14,10 +14,14 @@ import json
 import shutil
 import subprocess
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tools import ROOT
 from tools.vendor import npm
 from tools.vendor.frontend import copy_files
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 VENDOR = ROOT / "_build" / "vendor_python"
 ENTRY = Path(__file__).parent / "editor" / "editor.js"
@@ -93,6 +97,22 @@ def bundle_editor(target: Path) -> None:
     )
     if done.returncode:
         raise npm.VendorError(f"the editor could not be bundled: {done.stderr.strip()}")
+
+
+def minify_scripts(scripts: Iterable[Path], target: Path) -> None:
+    """Write our own scripts without comments and blanks: pages load them, whoever reads.
+
+    Raises
+    ------
+    tools.vendor.npm.VendorError
+        If the bundler says no.
+    """
+    bundler = npm.get_package(BUNDLER) / "bin" / "esbuild"
+    options = ("--minify-whitespace", "--minify-syntax", "--charset=utf8", "--log-level=warning")
+    command = [*npm.find_node(), str(bundler), *map(str, scripts), *options, f"--outdir={target}"]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
+    if done.returncode:
+        raise npm.VendorError(f"the scripts could not be minified: {done.stderr.strip()}")
 
 
 def _read_license(package: str) -> str:

@@ -1,8 +1,8 @@
-"""Collect what the simulator of the pages consists of: MuJoCo's engine, its Python package, a scene.
+"""Collect what the simulator of the pages consists of: MuJoCo's engine, a package, a scene.
 
 The engine is MuJoCo's own WebAssembly build, from npm (see ``npm.py``). The package ``mujoco`` that
-Python in the page imports is ``book/_page_mujoco``; it has to know what the real package looks like,
-so a build fails where that was derived from other versions (``tools/derive/page_mujoco.py``).
+Python in the page imports is ``book/_page_mujoco``. It has to know what the real package looks
+like: a build fails where that was derived from other versions (``tools/derive/page_mujoco.py``).
 
 ``tools/vendor/pack_python.py`` calls this, and makes of it what the pages load.
 """
@@ -23,8 +23,8 @@ TEXTURES = ROOT / "assets" / "textures"
 ENGINE = ("mujoco.js", "mujoco.wasm")
 
 LICENSES = "mujoco-licenses.txt"
-NOTICE = f"""MuJoCo {{version}}, its WebAssembly build: Apache License 2.0, {LICENSES} beside this file
-    Unchanged; its source is at https://github.com/google-deepmind/mujoco/tree/{{version}}
+NOTICE = f"""MuJoCo {{version}}, built for WebAssembly: Apache License 2.0
+    Its text is {LICENSES} beside this file. Unchanged; its source is at https://github.com/google-deepmind/mujoco/tree/{{version}}
 """
 
 

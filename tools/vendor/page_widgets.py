@@ -29,6 +29,7 @@ EXPLORERS = ROOT / "labutils" / "explorers"
 DROPPED = re.compile(
     r"/tests/|/testing|/_pyinstaller_util/|^psygnal/(?:containers/|qt|_evented_model)"
     r"|^traitlets/config/(?:application|argcomplete_config|loader|manager|sphinxdoc)"
+    r"|^tqdm/(?:contrib/|dask|keras|notebook|rich|tk)"
     r"|^ipywidgets/embed\.py|^anywidget/_cellmagic"
 )
 LICENSE = re.compile(r"\.dist-info/.*licen[cs]e[^/]*$", re.IGNORECASE)
@@ -53,7 +54,7 @@ def read_widget_licenses() -> str:
     tools.vendor.npm.VendorError
         If a package is not installed, or brings none.
     """
-    return "\n".join(_read_license(_find(name)) for name in PACKAGES)
+    return "\n".join(map(read_license, PACKAGES))
 
 
 def list_widget_sources() -> list[Path]:
@@ -63,7 +64,7 @@ def list_widget_sources() -> list[Path]:
 
 def _collect() -> Iterator[tuple[str, bytes]]:
     for name in PACKAGES:
-        yield from _collect_package(_find(name))
+        yield from collect_package(name)
     for path in _list_explorers():
         yield path.relative_to(ROOT).as_posix(), path.read_bytes()
 
@@ -75,15 +76,17 @@ def _list_explorers() -> list[Path]:
     ]
 
 
-def _collect_package(package: Distribution) -> Iterator[tuple[str, bytes]]:
+def collect_package(name: str) -> Iterator[tuple[str, bytes]]:
+    """Find what Python in the page needs of an installed package: its modules, and its version."""
+    package = _find(name)
     for file in package.files or ():
-        name = file.as_posix()
-        if name.endswith(".py") and not name.startswith("..") and not DROPPED.search(name):
-            yield name, file.read_binary()
+        place = file.as_posix()
+        if place.endswith(".py") and not place.startswith("..") and not DROPPED.search(place):
+            yield place, file.read_binary()
     # packages ask for their own version
-    name, version = package.metadata["Name"], package.version
-    head = f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
-    yield f"{name}-{version}.dist-info/METADATA", head.encode()
+    title, version = package.metadata["Name"], package.version
+    head = f"Metadata-Version: 2.1\nName: {title}\nVersion: {version}\n"
+    yield f"{title}-{version}.dist-info/METADATA", head.encode()
 
 
 def _find(name: str) -> Distribution:
@@ -93,7 +96,9 @@ def _find(name: str) -> Distribution:
         raise VendorError(f"{name} is missing: pip install -r requirements.txt") from None
 
 
-def _read_license(package: Distribution) -> str:
+def read_license(name: str) -> str:
+    """Return the license text of an installed package, under its name."""
+    package = _find(name)
     texts = [file.read_text() for file in package.files or () if LICENSE.search(file.as_posix())]
     if not texts:
         raise VendorError(f"{package.metadata['Name']} brings no license")

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._data import MjData
 from ._derived import FUNCTIONS
 from ._engine import ask, bridge, engine
 from ._functions import ask_and_recover
-from ._model import MjModel
+from ._named import get_object_type
 from ._signature import Signature
+
+if TYPE_CHECKING:
+    from ._model import MjModel
 
 _SIGNATURES = {
     name: Signature.parse(name, FUNCTIONS[name])
@@ -46,7 +48,7 @@ def mj_id2name(*arguments: Any, **named: Any) -> str | None:
 
 def _count_objects(model: MjModel, kind: int) -> int:
     for name, field in _NAME_FIELDS.items():
-        if getattr(engine.mjtObj, f"mjOBJ_{name}").value == kind:
+        if get_object_type(name) == kind:
             return len(getattr(model, field))
     return 0
 
@@ -112,5 +114,3 @@ BY_HAND = {
 }
 for _function in BY_HAND.values():
     _function.__module__ = "mujoco._functions"
-
-__all__ = ["BY_HAND", "MjData"]

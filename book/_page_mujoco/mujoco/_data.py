@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import weakref
 from typing import Any
 
-from ._engine import ask, bridge, engine
+from ._engine import ask, engine
 from ._model import MjModel
 from ._object import IN_STRUCT, EngineObject
 from ._structs import MODULE
@@ -31,7 +30,8 @@ class MjData(EngineObject):
 
     def _take(self, handle: Any, model: MjModel) -> None:
         self.__dict__["_model"] = model
-        super().__init__(handle, model)
+        super().__init__(handle, model, model._data_layout)
+        model.__dict__["_data_layout"] = self._layout
 
     @property
     def model(self) -> MjModel:
@@ -51,15 +51,16 @@ class MjData(EngineObject):
     def become_copy_of(self, source: MjData) -> None:
         """Take over all that another state of the same model holds; arrays stay the same ones."""
         handle = source._copy_handle()
+        before = {name: self._find(name)[0] for name in IN_STRUCT}
+        start, size = self._start, int(self._handle.nbuffer)
         self._release()
-        before, shift = self._arrays, int(handle.buffer.byteOffset) - self._start
-        start, end, arrays = self._start, self._end, json.loads(bridge.listArrays(handle))
-        beside = {before[name][0]: arrays[name][0] for name in IN_STRUCT}
+        self.__dict__.update(_handle=handle, _start=int(handle.buffer.byteOffset))
+        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
+        beside = {address: self._find(name)[0] for name, address in before.items()}
 
         def place(address: int) -> int:
-            return address + shift if start <= address < end else beside[address]
+            is_inside = start <= address < start + size
+            return address - start + self._start if is_inside else beside[address]
 
         self._memory.move(place)
-        self.__dict__.update(_handle=handle, _arrays=arrays, _start=start + shift, _end=end + shift)
-        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
         self._memory.pull()

@@ -10,9 +10,11 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import _mujoco_wasm as bridge
+import _mujoco_wasm
 from pyodide.ffi import JsException
 
+#: What ``bridge.js`` has put there.
+bridge = _mujoco_wasm
 #: The functions, classes and enums of the engine.
 engine = bridge.engine
 
@@ -62,7 +64,8 @@ def _translate(problem: JsException, otherwise: type[Exception]) -> Exception:
         _lost = f"MuJoCo in the page broke down ({text}). Start Python again: press Stop"
         return UnexpectedError(_lost)
     text = text.removeprefix("MuJoCo Error: ").removeprefix("Loading error: ")
-    text = text.removeprefix("Error: engine error: ").removesuffix("\n")
+    text = text.removeprefix("Could not create Spec from XML string: ").removesuffix("\n")
+    text = text.removeprefix("Error: engine error: ")
     if kind == "BindingError":
         return TypeError(text)
     # the bindings check sizes themselves, and say for which function; the package says TypeError

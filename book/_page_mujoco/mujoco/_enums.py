@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import functools
 from typing import Any
 
 from ._engine import engine
@@ -24,9 +25,12 @@ class MjEnum(enum.IntEnum):
         raise ValueError(f"Invalid int value for {cls.__name__}: {value}")
 
 
+@functools.cache
 def make_enum(name: str) -> type[MjEnum]:
     """Make an enum with the numbers that the engine gives its names."""
     source = getattr(engine, name)
     values = {key: getattr(source, key).value for key in dir(source) if key.startswith("mj")}
     members = sorted(values.items(), key=lambda one: one[1])
-    return MjEnum(name, members, module="mujoco._enums")  # type: ignore[call-overload]
+    make: Any = MjEnum  # called with members, an enum makes another one
+    made: type[MjEnum] = make(name, members, module=MjEnum.__module__)
+    return made

@@ -1,4 +1,4 @@
-"""Scenes and the files that they name, handed to the engine, which has no file system of its own."""
+"""Scenes and the files that they name, handed to the engine, which cannot read files itself."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._engine import engine
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-#: Newer than the engine's parser. It says which shadows OpenGL draws, and no picture by rays has any.
+#: Newer than the engine's parser: which geoms cast shadows, which no picture by rays shows.
 _CASTSHADOW = re.compile(r"(<geom\b[^>]*?)\s+castshadow=(\"\w+\"|'\w+')")
 
 #: What scenes name: nothing else of a folder is read.
@@ -47,7 +47,7 @@ def read_scene(filename: str) -> tuple[str, dict[str, bytes]]:
     return path.read_text(encoding="utf-8"), files
 
 
-def make_vfs(assets: Mapping[str, bytes]) -> Any:
+def make_vfs(assets: Mapping[str, bytes | str]) -> Any:
     """Make a file system of the engine that holds some files; the caller deletes it."""
     vfs = engine.MjVFS.new()
     for name, content in assets.items():

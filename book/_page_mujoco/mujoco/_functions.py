@@ -14,7 +14,7 @@ from ._engine import ask, engine
 from ._guards import check_call
 from ._model import MjModel
 from ._signature import Parameter, Signature
-from ._structs import Struct, from_number, make_class
+from ._structs import Struct, from_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -52,8 +52,8 @@ class _Call:
         """Return an argument in the form that JavaScript takes."""
         if isinstance(value, MjModel | MjData | Struct):
             self.objects.append(value)
-            value._memory.push()  # noqa: SLF001 - of this package
-            return value._handle  # noqa: SLF001 - likewise
+            value._memory.push()
+            return value._handle
         if value is None:
             return _make_default(parameter)
         if not parameter.sizes:
@@ -71,7 +71,7 @@ class _Call:
         """Bring back what the engine has written."""
         for one in self.objects:
             if not isinstance(one, MjModel) or self.name in MODEL_WRITERS:
-                one._memory.pull()  # noqa: SLF001 - of this package
+                one._memory.pull()
         for buffer, array in self.outputs:
             if array.size:
                 answer = np.empty(array.size, array.dtype)
@@ -115,8 +115,8 @@ def ask_and_recover(objects: list[Any], theirs: Any, *given: Any) -> Any:
         for one in objects:
             if isinstance(one, MjData):
                 # the engine leaves what it had put on the stack of the state, until it is full
-                one._handle.pstack = one._handle.pbase = 0  # noqa: SLF001 - of this package
-                one._memory.pull()  # noqa: SLF001 - likewise
+                one._handle.pstack = one._handle.pbase = 0
+                one._memory.pull()
         raise
 
 

@@ -38,7 +38,7 @@ def check_call(signature: Signature, values: list[Any]) -> None:
     if signature.name == "mj_contactForce":
         _check_index(given["id"], given["d"].ncon)
     if signature.name in _STATES:
-        size = engine.mj_stateSize(model._handle, int(given["sig"]))  # noqa: SLF001 - of this package
+        size = engine.mj_stateSize(model._handle, int(given["sig"]))
         if len(given["state"]) != size:
             raise TypeError("state size should equal mj_stateSize(m, sig)")
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from ._engine import ask, engine
 from ._files import adapt, make_vfs, read_scene
-from ._object import EngineObject
+from ._object import EngineObject, Layout
 from ._structs import MODULE
 
 if TYPE_CHECKING:
@@ -19,16 +19,17 @@ class MjModel(EngineObject):
     __module__ = MODULE
     _kind = "MjModel"
 
-    def __new__(cls, *arguments: Any) -> MjModel:
+    def __new__(cls, *arguments: Any) -> Self:
         """Refuse: a model is compiled from a scene."""
         del arguments
         raise TypeError(f"{MODULE}.MjModel: No constructor defined!")
 
     @classmethod
-    def from_handle(cls, handle: Any) -> MjModel:
+    def from_handle(cls, handle: Any, layout: Layout | None = None) -> MjModel:
         """Wrap a model of the engine, which belongs to Python from now on."""
         model = object.__new__(cls)
-        EngineObject.__init__(model, handle, model)
+        EngineObject.__init__(model, handle, model, layout)
+        model.__dict__["_data_layout"] = None  # of its states: the first one finds it out
         return model
 
     @classmethod
@@ -68,4 +69,4 @@ class MjModel(EngineObject):
 
     def __copy__(self) -> MjModel:
         self._memory.push()
-        return MjModel.from_handle(ask(engine.MjModel.new, self._handle))
+        return MjModel.from_handle(ask(engine.MjModel.new, self._handle), self._layout)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._derived import ABSENT, FIELDS, VIEWS
 from ._engine import engine
+from ._enums import make_enum
 from ._structs import MODULE, show
 
 if TYPE_CHECKING:
@@ -52,14 +53,17 @@ _QPOS_SIZES, _DOF_SIZES = (7, 4, 1, 1), (6, 3, 1, 1)
 
 def find_id(model: Any, object_type: str, name: str) -> int:
     """Return the number of an object by its name, or -1."""
-    kind = getattr(engine.mjtObj, f"mjOBJ_{object_type}").value
-    return int(engine.mj_name2id(model._handle, kind, name))  # noqa: SLF001 - of this package
+    return int(engine.mj_name2id(model._handle, get_object_type(object_type), name))
 
 
 def find_name(model: Any, object_type: str, number: int) -> str:
     """Return the name of an object by its number; empty where it has none."""
-    kind = getattr(engine.mjtObj, f"mjOBJ_{object_type}").value
-    return str(engine.mj_id2name(model._handle, kind, number) or "")  # noqa: SLF001 - as above
+    return str(engine.mj_id2name(model._handle, get_object_type(object_type), number) or "")
+
+
+def get_object_type(name: str) -> int:
+    """Return the number of a type of objects, such as BODY."""
+    return int(make_enum("mjtObj")[f"mjOBJ_{name}"])
 
 
 class View:
@@ -136,7 +140,7 @@ def make_view(owner: EngineObject, accessor: str, key: Any) -> View:
     KeyError, IndexError, TypeError
         If there is none, or `key` is neither; the words are the real package's.
     """
-    owner_kind = owner._kind  # noqa: SLF001 - of this package
+    owner_kind = owner._kind
     model = owner if owner_kind == "MjModel" else owner.model
     object_type, count_name, title = _KINDS[accessor]
     count = getattr(model, count_name)

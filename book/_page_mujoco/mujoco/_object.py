@@ -4,15 +4,34 @@ from __future__ import annotations
 
 import json
 import weakref
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ._derived import ABSENT, FIELDS, VIEWS, Field
-from ._engine import ask, bridge
+from ._engine import bridge
 from ._memory import BIG, Memory, read, shape_bytes, write
 from ._named import ALIASES, View, make_view
 from ._structs import MODULE, from_number, make_list, make_struct, to_number
+
+
+class Layout(NamedTuple):
+    """Where arrays lie in the block of an object: the same for all objects of the same sizes."""
+
+    arrays: dict[str, tuple[int, int, str]]  # from the start of the block on, bytes, kind of array
+    stretches: list[tuple[int, int]]  # of the block, without its big arrays
+
+    @classmethod
+    def read(cls, handle: Any) -> Layout:
+        """Ask the engine."""
+        start, size = int(handle.buffer.byteOffset), int(handle.nbuffer)
+        found: dict[str, list[Any]] = json.loads(bridge.listArrays(handle))
+        arrays = {
+            name: (address - start, count, kind)
+            for name, (address, count, kind) in found.items()
+            if 0 <= address - start < size
+        }
+        return cls(arrays, _list_stretches(size, arrays))
 
 
 class EngineObject:
@@ -20,15 +39,14 @@ class EngineObject:
 
     _kind = ""
 
-    def __init__(self, handle: Any, sizes: Any) -> None:
+    def __init__(self, handle: Any, sizes: Any, layout: Layout | None) -> None:
         start = int(handle.buffer.byteOffset)
-        arrays = json.loads(bridge.listArrays(handle))
-        end = start + int(handle.nbuffer)
+        layout = layout or Layout.read(handle)
         memory = Memory()
-        for first, last in _list_stretches(start, end, arrays):
-            memory.add(first, last)
+        for first, last in layout.stretches:
+            memory.add(start + first, start + last)
         self.__dict__.update(
-            _handle=handle, _start=start, _end=end, _arrays=arrays, _memory=memory, _sizes=sizes
+            _handle=handle, _start=start, _layout=layout, _memory=memory, _sizes=sizes
         )
         self.__dict__["_release"] = weakref.finalize(self, handle.delete)
 
@@ -60,15 +78,13 @@ class EngineObject:
 
     def _read_array(self, name: str, field: Field) -> Any:
         """Return a view of the mirror, or a copy of what cannot be mirrored."""
-        address, count, theirs = self._arrays[name]
         shape = tuple(self._resolve(size) for size in field.sizes)
-        is_static = self._start <= address < self._end or name in IN_STRUCT
-        if not is_static:  # made anew by every step, and not always there
-            address, count, theirs = json.loads(bridge.findArray(self._handle, name))
-            content = read(address, count if address else 0)
-            return shape_bytes(content, field.kind, theirs, shape)
+        address, count, theirs = self._find(name)
         if count > BIG:
             return _make_big(address, count, field, theirs, shape)
+        if name not in self._layout.arrays and name not in IN_STRUCT:
+            # made anew by every step, and not always there
+            return shape_bytes(read(address, count if address else 0), field.kind, theirs, shape)
         mirror = self._memory.find(address, count)
         if mirror is None:
             mirror = self._memory.add(address, address + count)
@@ -76,6 +92,14 @@ class EngineObject:
         if isinstance(array, np.ndarray):
             self.__dict__[name] = array  # the same object every time
         return array
+
+    def _find(self, name: str) -> tuple[int, int, str]:
+        """Return the address of an array, its bytes and its kind."""
+        if name in self._layout.arrays:
+            offset, count, theirs = self._layout.arrays[name]
+            return self._start + offset, count, theirs
+        address, count, theirs = json.loads(bridge.findArray(self._handle, name))
+        return address, count, theirs
 
     def _resolve(self, size: str) -> int:
         """Return a size: a number, or the name of one in the model or the state."""
@@ -101,7 +125,7 @@ class EngineObject:
     def _write_array(self, name: str, value: Any) -> None:
         array = getattr(self, name)
         array[...] = value
-        address, count, _ = self._arrays[name]
+        address, count, _ = self._find(name)
         if count > BIG:
             write(address, array)
 
@@ -112,10 +136,10 @@ class EngineObject:
     def _has_views(self, name: str) -> bool:
         return ALIASES.get(name, name) in VIEWS[self._kind]
 
-    def __deepcopy__(self, memo: dict[int, Any]) -> EngineObject:
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
         return self.__copy__()
 
-    def __copy__(self) -> EngineObject:
+    def __copy__(self) -> Any:
         raise NotImplementedError
 
 
@@ -123,20 +147,14 @@ class EngineObject:
 IN_STRUCT = frozenset({"energy", "solver_fwdinv", "solver_niter", "solver_nnz"})
 
 
-def _list_stretches(
-    start: int, end: int, arrays: dict[str, tuple[int, int, str]]
-) -> list[tuple[int, int]]:
-    """List the stretches of the block between its big arrays, which are copied when asked for."""
-    big = sorted(
-        (address, address + count)
-        for address, count, _ in arrays.values()
-        if start <= address < end and count > BIG
-    )
-    found = []
+def _list_stretches(size: int, arrays: dict[str, tuple[int, int, str]]) -> list[tuple[int, int]]:
+    """List the stretches of a block between its big arrays, which are copied when asked for."""
+    big = sorted((offset, offset + count) for offset, count, _ in arrays.values() if count > BIG)
+    start, found = 0, []
     for first, last in big:
         found.append((start, first))
         start = last
-    return [*found, (start, end)]
+    return [*found, (start, size)]
 
 
 def _make_big(
@@ -146,11 +164,3 @@ def _make_big(
     array: np.ndarray = shape_bytes(read(address, count), field.kind, theirs, shape)
     array.flags.writeable = False
     return array
-
-
-def create(function: Any, *arguments: Any, otherwise: type[Exception]) -> Any:
-    """Let the engine make an object; return its handle."""
-    handle = ask(function, *arguments, otherwise=otherwise)
-    if handle is None:
-        raise otherwise("the engine made nothing")
-    return handle

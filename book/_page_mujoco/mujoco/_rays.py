@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pyodide.ffi import to_js
@@ -11,6 +12,9 @@ from ._derived import FUNCTIONS
 from ._engine import bridge
 from ._functions import ask_and_recover
 from ._signature import Signature
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 _RAY = Signature.parse("mj_ray", FUNCTIONS["mj_ray"])
 _MULTI_RAY = Signature.parse("mj_multiRay", FUNCTIONS["mj_multiRay"])
@@ -31,9 +35,27 @@ def mj_multiRay(*arguments: Any, **named: Any) -> None:  # noqa: N802 - MuJoCo's
     model, data, point, rays, *options = values[:7]
     geom_ids, distances, normals, count, cutoff = values[7:]
     _check_sizes(rays, geom_ids, distances, normals, count)
-    answers = _cast(bridge.castRays, model, data, point, rays, options, int(count), float(cutoff))
+    with _looking_at_every_geom(model):
+        rest = int(count), float(cutoff)
+        answers = _cast(bridge.castRays, model, data, point, rays, options, *rest)
     for answer, array in zip(answers, (geom_ids, distances, normals), strict=True):
         _fill(answer, array)
+
+
+@contextmanager
+def _looking_at_every_geom(model: Any) -> Iterator[None]:
+    """Let `mj_multiRay` skip no geom inside the block.
+
+    It skips what lies beyond angles that it computes from the corners of a box, and so loses rays
+    at the edges of things that bulge out between these angles. A body without a tree of bounds is
+    never skipped.
+    """
+    kept = model.body_bvhadr.copy()
+    model.body_bvhadr[:] = -1
+    try:
+        yield
+    finally:
+        model.body_bvhadr[:] = kept
 
 
 def _cast(

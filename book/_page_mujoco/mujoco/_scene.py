@@ -1,4 +1,4 @@
-"""``mujoco.MjvScene``: what OpenGL would draw. Rays do not read it, but a reader may look into it."""
+"""``mujoco.MjvScene``: what OpenGL would draw. Rays do not read it, but a reader may."""
 
 from __future__ import annotations
 

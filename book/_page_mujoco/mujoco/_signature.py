@@ -13,6 +13,12 @@ _NUMBERS = {
     "int": "typing.SupportsInt | typing.SupportsIndex",
     "float": "typing.SupportsFloat | typing.SupportsIndex",
 }
+_ACCEPTED: dict[str, tuple[type, ...]] = {
+    "bool": (bool, np.bool_, int),
+    "int": (int, np.integer),
+    "float": (int, float, np.number),
+    "str": (str,),
+}
 _DTYPES = {"f8": "float64", "f4": "float32", "i4": "int32", "i8": "int64", "u1": "uint8"}
 
 
@@ -42,15 +48,12 @@ class Parameter(NamedTuple):
             return self.is_optional
         if self.sizes:
             return self._accepts_array(value)
-        if self.kind == "bool":
-            return isinstance(value, bool | np.bool_ | int)
-        if self.kind == "int":
-            return isinstance(value, int | np.integer) or _is_whole(value)
-        if self.kind == "float":
-            return isinstance(value, int | float | np.number) or _is_whole(value)
-        if self.kind == "str":
-            return isinstance(value, str)
+        if self.kind in _ACCEPTED:
+            return isinstance(value, _ACCEPTED[self.kind]) or self._is_one_number(value)
         return type(value).__name__ == self.kind
+
+    def _is_one_number(self, value: Any) -> bool:
+        return self.kind in _NUMBERS and isinstance(value, np.ndarray) and value.size == 1
 
     def _accepts_array(self, value: Any) -> bool:
         if self.is_written:
@@ -84,10 +87,6 @@ class Parameter(NamedTuple):
     def get_default(self) -> Any:
         """Return the value where none is given."""
         return None if self.default == "None" else int(self.default)
-
-
-def _is_whole(value: Any) -> bool:
-    return isinstance(value, np.ndarray) and value.size == 1
 
 
 class Signature(NamedTuple):

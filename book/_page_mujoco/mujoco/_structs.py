@@ -11,6 +11,7 @@ import numpy as np
 
 from ._derived import FIELDS, Field
 from ._engine import ask, bridge, engine
+from ._enums import make_enum
 from ._memory import Memory, shape_bytes
 
 #: Where the real package defines them, and so where checks look for their names.
@@ -34,13 +35,14 @@ def to_number(name: str, value: Any) -> Any:
     return value
 
 
+_FROM_NUMBER = {"f": float, "b": bool, "i": int, "s": str}
+
+
 def from_number(kind: str, value: Any) -> Any:
     """Return a number of the engine as Python's package has it: JavaScript knows only one kind."""
-    if kind == "f":
-        return float(value)
-    if kind == "b":
-        return bool(value)
-    return value if kind == "s" else int(value)
+    if kind in _FROM_NUMBER:
+        return _FROM_NUMBER[kind](value)
+    return make_enum(kind)(value.value)
 
 
 def show(name: str, owner: Any, names: list[str]) -> str:
@@ -149,17 +151,17 @@ class StructList:
             name: _stack(field, [getattr(one, name) for one in handles])
             for name, field in FIELDS[self._kind].items()
         }
-        self.__dict__.update(_columns=columns, _count=count)
+        self._columns: dict[str, np.ndarray] = columns
+        self._count = count
 
     def __getattr__(self, name: str) -> np.ndarray:
         if name not in FIELDS[self._kind]:
             message = f"'{MODULE}._{self._kind}List' object has no attribute '{name}'"
             raise AttributeError(message, name=name, obj=self)
-        column: np.ndarray = self._columns[name]
-        return column
+        return self._columns[name]
 
     def __len__(self) -> int:
-        return int(self._count)
+        return self._count
 
     def __getitem__(self, index: int) -> Row:
         if not -self._count <= index < self._count:
@@ -177,10 +179,9 @@ class Row:
     """One struct of a list."""
 
     def __init__(self, kind: str, values: dict[str, Any]) -> None:
-        self.__dict__.update(values, _kind=kind, _names=list(values))
+        self._kind, self._names = kind, list(values)
         for name, value in values.items():
-            if not isinstance(value, np.ndarray):
-                self.__dict__[name] = value.item()
+            setattr(self, name, value if isinstance(value, np.ndarray) else value.item())
 
     def __repr__(self) -> str:
         return show(self._kind, self, self._names)
