@@ -1,6 +1,6 @@
 // node jupyterlab.mjs SERVER NOTEBOOK: opens a notebook in JupyterLab, runs it, moves a slider with
-// the mouse and with the keyboard, and prints what explorer and kernel say. test_jupyterlab.py
-// says what is right.
+// the mouse and with the keyboard, turns the head in the live scene, and prints what explorers and
+// kernel say. test_jupyterlab.py says what is right.
 
 import { DESKTOP, main } from "../../tools/browser.mjs";
 
@@ -42,9 +42,31 @@ await main(async (browser, server, notebook) => {
   await page.locator(".explorer").getByRole("button", { name: "Reset" }).click();
   const reset = await read();
   const name = await handle.getAttribute("aria-label");
+  const scene = await turnHead(page, 2);
   await context.close();
-  return { before, dragged, pressed, reset, name };
+  return { before, dragged, pressed, reset, name, scene };
 });
+
+/** Runs the live scene of a cell and drags its picture; the cell below says what Python knows. */
+async function turnHead(page, place) {
+  await run(page, place);
+  const scene = page.locator(".explorer[data-frames]"); // Python has answered
+  await scene.waitFor();
+  const color = scene.locator("canvas").first();
+  await color.scrollIntoViewIfNeeded();
+  const box = await color.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y + 30, { steps: 10 });
+  await page.mouse.up();
+  await page.waitForFunction(
+    (one) => JSON.parse(one.dataset.values).is_current,
+    await scene.elementHandle(),
+  );
+  const python = await ask(page, place + 1);
+  return { python, page: JSON.parse(await scene.getAttribute("data-values")) };
+}
 
 /** Runs a cell and waits for its new number. */
 async function run(page, place) {

@@ -23,6 +23,13 @@ from labutils.explorers import explore_fov
 explorer = explore_fov(*make_scene())
 explorer"""
 READ = 'print(json.dumps({"fov_y": explorer.fov_y, "f": explorer.K[0, 0]}))'
+SCENE = """\
+from labutils.explorers import explore_scene
+scene = explore_scene(*make_scene())
+scene.move(pixel=[40, 90])
+scene"""
+READ_SCENE = "print(json.dumps(scene.values))"
+CELLS = (EXPLORE, READ, SCENE, READ_SCENE)
 LONGEST_START = 120  # seconds
 
 
@@ -81,7 +88,7 @@ def seen(tmp_path_factory: pytest.TempPathFactory, chromium: Callable[..., Any])
         "display_name": "Python 3",
         "language": "python",
     }
-    notebook.cells = [nbformat.v4.new_code_cell(source) for source in (EXPLORE, READ)]
+    notebook.cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     nbformat.write(notebook, folder / "explore.ipynb")
     with serve_lab(folder) as address:
         return chromium("jupyterlab.mjs", address, "explore.ipynb")
@@ -115,3 +122,11 @@ def test_reset_reaches_python_too(seen: dict[str, Any]) -> None:
 
 def test_the_slider_has_a_name_there_too(seen: dict[str, Any]) -> None:
     assert seen["name"] == "fov_y (°)"
+
+
+def test_the_scene_that_python_draws_is_the_one_that_was_dragged(seen: dict[str, Any]) -> None:
+    scene = seen["scene"]
+    assert scene["page"]["pan_deg"] > 1
+    assert scene["page"]["pixel_depth"] is not None
+    # both read the same bytes
+    assert scene["python"] == pytest.approx(scene["page"], abs=1e-9)
