@@ -31,6 +31,7 @@ EXERCISE_SCRIPTS = (
     "editor.js",
     "progress_rules.js",
     "progress.js",
+    "verdicts.js",
     "exercises.js",
     "exercise_bar.js",
 )

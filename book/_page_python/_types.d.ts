@@ -230,7 +230,11 @@ interface CameraLab {
     keepEdits(): void;
   };
   bar?: SessionCell;
-  exerciseData: ExerciseData;
+  verdicts: {
+    data: ExerciseData;
+    makeParts(said: Said): HTMLElement[];
+    nameLinks(parent: Element): void;
+  };
   rules: {
     FILE_NAME: string;
     VERSION: number;

@@ -1,7 +1,7 @@
 // The bar above the exercises of a page: how many are solved, and the progress as a file, the same
 // that a notebook writes and reads.
 (() => {
-  const { exerciseData, progress } = window.cameraLab;
+  const { progress, verdicts } = window.cameraLab;
   const { makeButton } = window.cameraLab.elements;
 
   /**
@@ -37,7 +37,7 @@
   }
 
   function build(/** @type {HTMLElement} */ bar) {
-    const names = Object.keys(exerciseData.exercises);
+    const names = Object.keys(verdicts.data.exercises);
     const meter = document.createElement("progress");
     const text = document.createElement("span");
     const status = document.createElement("p");

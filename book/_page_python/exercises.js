@@ -1,10 +1,9 @@
 // Turns the exercise cells of a page into editors with buttons. Without this script the page is
 // plain: the starter, the check, and how to ask for a hint in a notebook.
 (() => {
-  const { assets, cells, outputs, progress, python, session } = window.cameraLab;
+  const { assets, outputs, progress, python, session, verdicts } = window.cameraLab;
   const { make, makeButton } = window.cameraLab.elements;
-  /** @type {ExerciseData} */
-  const data = JSON.parse(document.getElementById("exercise-data")?.textContent ?? "");
+  const { data } = verdicts;
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
 
@@ -155,18 +154,19 @@
       const code = this.editor.getText();
       this.doing = "check";
       this.setBusy(true);
+      this.shown.replaceChildren();
       const started = performance.now();
       let said = await this.askForVerdict(code);
       // the code asks for what the cells above make
       if (said.missing && (await session.runAbove(this))) said = await this.askForVerdict(code);
       const seconds = (performance.now() - started) / 1000;
-      this.setBusy(false);
       this.mount.dataset.seconds = seconds.toFixed(3);
       if (said.progress) progress.merge(progress.parse(said.progress));
       if (said.result !== "stopped") progress.writeResult(this.name, code, said);
       this.show(said, code);
       this.say(SUMMARY[/** @type {keyof typeof SUMMARY} */ (said.result)]);
-      if (said.result === "passed") await this.showExample();
+      if (said.result === "passed") await this.goOn();
+      this.setBusy(false);
     }
 
     askForVerdict(/** @type {string} */ code) {
@@ -192,9 +192,9 @@
     }
 
     wait() {
-      if (this.doing !== "check") this.doing = "run";
+      if (this.doing === "check") return;
+      this.doing = "run";
       this.setBusy(true);
-      cells.announce(`${this.name}: running`);
     }
 
     rest() {
@@ -230,15 +230,11 @@
     forget() {}
 
     /** After a pass: the reader's own result, and the way on. */
-    async showExample() {
-      const { example } = data.exercises[this.name];
-      if (!example) return;
-      this.text = `\n\n${example}`;
-      try {
-        await session.run(this);
-      } finally {
-        this.text = "";
-      }
+    async goOn() {
+      this.output.append(makeWayOn(this.name));
+      this.text = `\n\n${data.exercises[this.name].example}`;
+      await session.run(this);
+      this.text = "";
       this.say(SUMMARY.passed);
     }
 
@@ -266,25 +262,9 @@
       this.checkedCode = code;
       this.mount.dataset.result = said.result;
       this.output.classList.toggle("is-outdated", code !== this.editor.getText());
-      const parts = [];
-      if (said.html) parts.push(makeVerdict(said.html));
-      if (said.error) parts.push(make("pre", "exercise-error", said.error));
-      if (said.printed) {
-        parts.push(make("p", "exercise-label", "Printed by your code:"));
-        parts.push(make("pre", "exercise-printed", said.printed, { tabindex: "0" }));
-      }
-      parts.push(make("p", "exercise-outdated", "Your code has changed since this check."));
+      const parts = verdicts.makeParts(said);
       this.output.replaceChildren(...parts);
     }
-  }
-
-  /** The verdict's own HTML, as in the notebook, in the colors of the page. */
-  function makeVerdict(/** @type {string} */ html) {
-    const verdict = make("div", "exercise-verdict");
-    verdict.innerHTML = html;
-    for (const element of verdict.querySelectorAll("[style]")) element.removeAttribute("style");
-    nameLinks(verdict);
-    return verdict;
   }
 
   /** On paper there is the plain cell: with the reader's code, where it is not the starter. */
@@ -297,16 +277,29 @@
     }
   }
 
-  /** Links of verdicts that the build has put on the page say their heading, too. */
-  function nameLinks(/** @type {Element} */ parent) {
-    for (const link of parent.querySelectorAll("a")) {
-      const title = data.titles[link.getAttribute("href") ?? ""];
-      if (title !== undefined) link.textContent = title;
+  /** Where to go after an exercise: to the next one that is not solved, else to the next page. */
+  function makeWayOn(/** @type {string} */ name) {
+    const records = progress.load();
+    const names = Object.keys(data.exercises);
+    const later = names.slice(names.indexOf(name) + 1);
+    const next = [...later, ...names].find((one) => !records.get(one)?.passed);
+    const section = document.querySelector(`[data-exercise="${next}"]`)?.closest("section");
+    const page = /** @type {HTMLAnchorElement | null} */ (document.querySelector("a.right-next"));
+    const line = make("p", "exercise-on", "Go on: ");
+    if (section) {
+      const title = section.querySelector("h2, h3")?.firstChild?.textContent ?? String(next);
+      line.append(make("a", "", title, { href: `#${section.id}` }));
+    } else if (page) {
+      const title = page.querySelector(".prev-next-title")?.textContent ?? page.textContent;
+      line.append(make("a", "", String(title).trim(), { href: page.href }));
+    } else {
+      line.textContent = "All exercises of this page are solved.";
     }
+    return line;
   }
 
   function start() {
-    for (const output of document.querySelectorAll(".cell_output")) nameLinks(output);
+    for (const output of document.querySelectorAll(".cell_output")) verdicts.nameLinks(output);
     if (!window.cameraLabEditor) return; // the page stays plain
     /** @type {NodeListOf<HTMLElement>} */
     const found = document.querySelectorAll(".exercise[data-exercise]");
@@ -316,6 +309,5 @@
     window.addEventListener("beforeprint", () => preparePrint(exercises));
   }
 
-  window.cameraLab = { ...window.cameraLab, exerciseData: data };
   document.addEventListener("DOMContentLoaded", start);
 })();

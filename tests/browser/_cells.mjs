@@ -66,7 +66,7 @@ export function readCells(page) {
         .join("\n"),
       warnings: [...one.querySelectorAll(".cell-yours > .cell-warning")].map((p) => p.textContent),
       error: one.querySelector(".cell-error")?.textContent ?? "",
-      pictures: one.querySelectorAll(".cell-yours :is(img, svg)").length,
+      pictures: one.querySelectorAll(".cell-yours > img, .cell-yours > .cell-html > svg").length,
       builtPictures: one.querySelectorAll(".cell_output img:not(.explorer-poster)").length,
       widgets: one.querySelectorAll(".cell-yours .cell-widget").length,
       isYoursShown: !one.querySelector(".cell-yours").hidden,
