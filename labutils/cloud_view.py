@@ -10,6 +10,7 @@ import functools
 import importlib.util
 import os
 import sys
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -54,6 +55,8 @@ def find_open3d_problem() -> str | None:
         installed but cannot be loaded).
     """
     if importlib.util.find_spec("open3d") is None:
+        if sys.platform == "emscripten":
+            return "no web page has Open3D: the book's own renderer draws"
         return "Open3D is not installed: pip install open3d"
     # In a notebook Open3D would start a web server for its viewer and print about it.
     os.environ.setdefault("OPEN3D_DISABLE_WEB_VISUALIZER", "true")

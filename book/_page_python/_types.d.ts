@@ -192,6 +192,7 @@ interface CameraLab {
       text?: string,
       attributes?: Record<string, string>,
     ): HTMLElementTagNameMap[Tag];
+    keepInPlace(element: Element): () => void;
     makeButton(text: string, className: string, onClick: () => void): HTMLButtonElement;
   };
   edits: {

@@ -12,6 +12,11 @@
     ["needs-process", "This cell starts another program, which a page cannot: run the notebook."],
   ]);
 
+  /** The same for cells of which a part needs it: what is said beside what the rest gives. */
+  const NOTES = new Map([
+    ["uses-open3d", " No page has Open3D: its part of this cell is left out."],
+  ]);
+
   /** @type {LiveCell[]} */
   const cells = [];
   const live = make("p", "cells-live", "", { role: "status" }); // what a screen reader hears, once
@@ -56,14 +61,20 @@
       /** @type {string | null} */
       this.undo = null; // the text before a reset
       this.isBusy = false;
-      const tag = [...SKIPPED.keys()].find((one) => element.classList.contains(`tag_${one}`));
-      this.skipped = SKIPPED.get(tag ?? "") ?? "";
+      this.skipped = this.findByTag(SKIPPED);
+      this.note = this.findByTag(NOTES);
       if (this.skipped) this.isNeededBelow = false;
       this.runButton = makeButton("Run", "cell-run", () => this.press());
       this.editButton = makeButton("Edit", "", () => this.edit());
       this.resetButton = makeButton("Reset", "", () => this.reset());
       this.status = make("span", "cell-status");
       this.build();
+    }
+
+    /** What is said of a cell with a tag; nothing without one. */
+    findByTag(/** @type {Map<string, string>} */ texts) {
+      const tags = [...texts.keys()].filter((one) => this.element.classList.contains(`tag_${one}`));
+      return tags.map((tag) => texts.get(tag)).join("");
     }
 
     build() {
@@ -229,7 +240,7 @@
       const isShown = await this.result.show(said, code === this.source, isNews);
       const seconds = said.seconds ?? 0;
       const time = seconds < 0.1 ? "less than 0.1 s" : `${seconds.toFixed(1)} s`;
-      const ran = `ran in ${time}${isShown ? "" : ", nothing to show"}`;
+      const ran = `ran in ${time}${isShown ? "" : ", nothing to show"}${this.note && `.${this.note}`}`;
       const text = { ran, error: "stopped with an error", stopped: "stopped" }[
         /** @type {"ran" | "error" | "stopped"} */ (said.result)
       ];

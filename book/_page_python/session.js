@@ -1,7 +1,7 @@
 // In which order the cells of a page run: as in a notebook from top to bottom, those above first.
 // What stands in a cell is the business of cells.js and exercises.js, which add their cells here.
 (() => {
-  const { assets, outputs, python } = window.cameraLab;
+  const { assets, elements, outputs, python } = window.cameraLab;
 
   /** @type {SessionCell[]} */
   const cells = [];
@@ -17,6 +17,8 @@
     "widgets_carry.js",
     "widgets.js",
   ];
+  const LATE_MS = 500; // that a picture may take to get its size
+
   /** Cells that need these parts of Python name them. */
   const WIDGETS = /\b(?:explorers?|ipywidgets|anywidget|interact)\b/;
   const SIMULATOR = /\b(?:mujoco|labutils|lab)\b/;
@@ -126,7 +128,11 @@
     const turn = { isStopped: false, running: null };
     turns.set(asked, turn);
     asked.wait();
-    const done = tail.then(() => !turn.isStopped && work(turn));
+    const done = tail.then(async () => {
+      if (turn.isStopped) return false;
+      const letGo = elements.keepInPlace(asked.element);
+      return work(turn).finally(() => setTimeout(letGo, LATE_MS));
+    });
     tail = done.then(
       () => {},
       () => {},

@@ -75,6 +75,7 @@ await main(async (browser, site, name) => {
   // --- looks, with an error, an edit and an output to see ---
   await ui.edit(page, 1, "print('kept')\n");
   await page.setViewportSize(NARROW);
+  await waitForTabStops(page);
   seen.axe = await findAxeViolations(page);
   seen.sideways = await page.evaluate(
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
@@ -136,6 +137,15 @@ async function saveNotebook(page) {
   await page.getByRole("button", { name: "Save as notebook" }).click();
   const download = await waiting;
   return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+}
+
+/** Waits until the theme has seen the new width, and lets the keyboard reach what scrolls. */
+function waitForTabStops(page) {
+  return page.waitForFunction(() =>
+    [...document.querySelectorAll(".cell_input pre")].every(
+      (one) => one.scrollWidth <= one.clientWidth || one.tabIndex === 0,
+    ),
+  );
 }
 
 async function findAxeViolations(page) {

@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { main } from "../../tools/browser.mjs";
 import * as ui from "./_exercises.mjs";
 
-const DATA = /(<script type="application\/json" id="exercise-data">)(.*?)(<\/script>)/s;
+const DATA = /(<script type="application\/json" id="python-data">)(.*?)(<\/script>)/s;
 
 await main(async (browser, site, name, wheelsFile) => ({
   scriptless: await readWithoutScripts(browser, site, name),
@@ -72,7 +72,7 @@ async function loadFromCdn(browser, site, name, wheelsFile, change) {
     const answer = await route.fetch();
     const text = (await answer.text()).replace(DATA, (_, head, json, tail) => {
       const data = JSON.parse(json);
-      data.assets = data.assets.filter((asset) => !/numpy|cv2/.test(asset.name));
+      data.parts.python = data.parts.python.filter(({ name }) => !/numpy|cv2/.test(name));
       return head + JSON.stringify({ ...data, remote }) + tail;
     });
     await route.fulfill({ response: answer, body: text });

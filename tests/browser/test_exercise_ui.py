@@ -76,7 +76,7 @@ def limited(
     """The page where something is missing; wheels are made of what is packed."""
     folder = tmp_path_factory.mktemp("wheels")
     remote, files = [], {}
-    for asset in page_python["assets"]:
+    for asset in page_python["parts"]["python"]:
         name = asset["name"].removeprefix("vendor/").removesuffix(".zip")
         if name not in ("numpy", "cv2"):
             continue
@@ -133,7 +133,7 @@ def test_an_endless_loop_is_stopped_after_20_seconds(used: dict[str, Any]) -> No
 
 
 def test_stop_ends_what_runs_and_the_next_check_works(used: dict[str, Any]) -> None:
-    assert "Stopped. The next check starts it anew." in used["stopped"]["text"]
+    assert "Stopped. The next run starts it anew." in used["stopped"]["text"]
     assert used["focusAfterStop"] == "Check"
     assert used["afterStop"]["result"] == "error"
 
@@ -159,7 +159,7 @@ def test_reset_can_be_undone_until_the_next_edit(used: dict[str, Any]) -> None:
     assert used["reset"] == {
         "isStarter": True,
         "isBack": True,
-        "buttons": ["Check", "Hint", "Reset"],
+        "buttons": ["Run", "Check", "Hint", "Reset"],
     }
 
 
@@ -167,7 +167,7 @@ def test_the_keyboard_is_enough(used: dict[str, Any]) -> None:
     keyboard = used["keyboard"]
     assert keyboard["label"] == f"Code of {used['names'][1]}"
     assert keyboard["indented"] == "    pass"
-    assert keyboard["next"] == "Check"
+    assert keyboard["next"] == "Run"
     assert keyboard["back"]
     assert "by keyboard" in keyboard["said"]["text"]
 

@@ -24,7 +24,9 @@ async function makePage(codes, answer = (/** @type {any} */ _order) => good) {
     listenForEnd: (listener) => listeners.push(listener),
   };
   /** @type {any} */ (globalThis).Node = { DOCUMENT_POSITION_FOLLOWING: 4 };
-  /** @type {any} */ (globalThis).window = { cameraLab: { python, assets: {}, outputs: {} } };
+  /** @type {any} */ (globalThis).window = {
+    cameraLab: { python, assets: {}, outputs: {}, elements: { keepInPlace: () => () => {} } },
+  };
   await import(`../../../book/_page_python/session.js?${Math.random()}`);
   const { session } = window.cameraLab;
   const cells = codes.map((code, place) => makeCell(code, place));
