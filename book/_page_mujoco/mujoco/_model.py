@@ -28,7 +28,7 @@ class MjModel(EngineObject):
     def from_handle(cls, handle: Any, layout: Layout | None = None) -> MjModel:
         """Wrap a model of the engine, which belongs to Python from now on."""
         model = object.__new__(cls)
-        EngineObject.__init__(model, handle, model, layout)
+        EngineObject.__init__(model, handle, layout)
         model.__dict__["_data_layout"] = None  # of its states: the first one finds it out
         return model
 

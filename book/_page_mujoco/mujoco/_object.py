@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -39,16 +38,13 @@ class EngineObject:
 
     _kind = ""
 
-    def __init__(self, handle: Any, sizes: Any, layout: Layout | None) -> None:
+    def __init__(self, handle: Any, layout: Layout | None) -> None:
         start = int(handle.buffer.byteOffset)
         layout = layout or Layout.read(handle)
-        memory = Memory()
+        memory = Memory(handle)
         for first, last in layout.stretches:
             memory.add(start + first, start + last)
-        self.__dict__.update(
-            _handle=handle, _start=start, _layout=layout, _memory=memory, _sizes=sizes
-        )
-        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
+        self.__dict__.update(_handle=handle, _start=start, _layout=layout, _memory=memory)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -106,7 +102,7 @@ class EngineObject:
         name, _, factor = size.partition("*")
         if name.isdecimal():
             return int(name)
-        owner = self if name in FIELDS[self._kind] else self._sizes
+        owner = self if name in FIELDS[self._kind] else self.model
         return int(getattr(owner, name)) * int(factor or 1)
 
     def _make_view(self, kind: str, key: Any) -> View:
@@ -123,11 +119,14 @@ class EngineObject:
             raise AttributeError(f"property of '{self._kind}' object has no setter")
 
     def _write_array(self, name: str, value: Any) -> None:
-        array = getattr(self, name)
-        array[...] = value
         address, count, _ = self._find(name)
+        array = getattr(self, name)
         if count > BIG:
+            array = array.copy()  # what is asked for cannot be written
+            array[...] = value
             write(address, array)
+        else:
+            array[...] = value
 
     def __dir__(self) -> list[str]:
         accessors = [one for one in (*VIEWS[self._kind], *ALIASES) if self._has_views(one)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from typing import Any
 
 from ._engine import ask, engine
@@ -19,8 +18,7 @@ class MjvScene(Struct):
     def __init__(self, model: Any = None, maxgeom: int = 0) -> None:
         handle = None if model is None else model._handle
         made = ask(engine.MjvScene.new, *(() if handle is None else (handle, int(maxgeom))))
-        weakref.finalize(self, made.delete)
-        self.__dict__.update(_handle=made, _memory=Memory())
+        self.__dict__.update(_handle=made, _memory=Memory(made))
 
     @property
     def geoms(self) -> StructList:

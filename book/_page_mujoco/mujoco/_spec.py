@@ -107,7 +107,10 @@ class MjSpec:
     def _find(self, what: str, name: str) -> Element | None:
         kind = getattr(engine.mjtObj, f"mjOBJ_{KINDS[what][1]}")
         found = ask(engine.mjs_findElement, self._handle, kind, name)
-        return self._wrap(what, found) if found else None
+        if found:
+            return self._wrap(what, found)
+        # once compiled, the engine finds by name only what was there then
+        return next((one for one in self._list(what) if one.name == name), None)
 
     def _list(self, what: str) -> list[Element]:
         kind = getattr(engine.mjtObj, f"mjOBJ_{KINDS[what][1]}")

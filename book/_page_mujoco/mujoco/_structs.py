@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import weakref
 from json import loads
 from typing import Any
 
@@ -62,12 +61,11 @@ class Struct:
     _kind = ""
 
     def __init__(self, handle: Any = None, memory: Memory | None = None) -> None:
-        is_own = handle is None
-        if is_own:
+        if handle is None:
             handle = ask(getattr(engine, self._kind).new)
-            weakref.finalize(self, handle.delete)
+            memory = Memory(handle)
         # never deleted where it is a part of another: that would free memory of the whole
-        self.__dict__.update(_handle=handle, _memory=Memory() if memory is None else memory)
+        self.__dict__.update(_handle=handle, _memory=memory or Memory())
 
     def __getattr__(self, name: str) -> Any:
         field = FIELDS[self._kind].get(_IN_C.get(name, name))
@@ -114,8 +112,7 @@ class Struct:
         self._memory.push()
         twin = type(self).__new__(type(self))
         handle = ask(self._handle.copy)
-        weakref.finalize(twin, handle.delete)
-        twin.__dict__.update(_handle=handle, _memory=Memory())
+        twin.__dict__.update(_handle=handle, _memory=Memory(handle))
         return twin
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Struct:
