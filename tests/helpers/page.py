@@ -39,7 +39,11 @@ def list_functions(path: Path) -> list[str]:
 def collect_extras() -> dict[str, bytes]:
     """Collect what the files in the page import or read beside the library."""
     patterns = ("content/*.py", "content/*.yml", "solutions/*.py", "exercises/_generated/*.py")
-    paths = [path for pattern in (*patterns, "book/*.md", "exercises/*.md") for path in ROOT.glob(pattern)]
+    paths = [
+        path
+        for pattern in (*patterns, "book/*.md", "exercises/*.md")
+        for path in ROOT.glob(pattern)
+    ]
     extras = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in paths}
     for file in importlib.metadata.files("pyyaml") or []:
         if file.parts[0] == "yaml" and file.suffix == ".py":

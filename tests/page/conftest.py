@@ -41,5 +41,7 @@ def page_said(shared_folder: Path) -> dict[str, Any]:
         out.mkdir()
         return page.run_files(assets, out, *(INSIDE / f"{name}.py" for name in FILES))
 
-    said: dict[str, Any] = json.loads(json.dumps(browser.once(shared_folder / "page-said.json", run)))
+    said: dict[str, Any] = json.loads(
+        json.dumps(browser.once(shared_folder / "page-said.json", run))
+    )
     return said

@@ -87,8 +87,7 @@ class View:
             raise AttributeError(message, name=name, obj=self)
         if (self._accessor, name) in _MADE:
             return _MADE[self._accessor, name](self._owner, self._model, self.id)
-        array = getattr(self._owner, field)
-        return array[self._find_rows(FIELDS[self._owner_kind][field].sizes)]
+        return self._get_rows(field)
 
     def _find_rows(self, sizes: tuple[str, ...]) -> slice | int:
         """Say which rows of an array are this object's, by the first of its sizes."""
@@ -105,6 +104,13 @@ class View:
             start, length = (getattr(model, name)[i] for name in _RANGES[first])
             return slice(max(start, 0), max(start, 0) + length)
         return i if len(sizes) > 1 else slice(i, i + 1)
+
+    def _get_rows(self, field: str) -> np.ndarray:
+        rows = self._find_rows(FIELDS[self._owner_kind][field].sizes)
+        array: np.ndarray = getattr(self._owner, field)[rows]
+        # an actuator has one control, as a rule: its range is two numbers, not a row of two
+        is_single = FIELDS[self._owner_kind][field].sizes[0] in ("nu", "nout") and len(array) == 1
+        return array[0] if is_single and array.ndim > 1 else array
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name in ("id", "name"):

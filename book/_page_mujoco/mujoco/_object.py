@@ -11,7 +11,7 @@ from ._derived import ABSENT, FIELDS, VIEWS, Field
 from ._engine import bridge
 from ._memory import BIG, Memory, read, shape_bytes, write
 from ._named import ALIASES, View, make_view
-from ._structs import MODULE, from_number, make_list, make_struct, to_number
+from ._structs import MODULE, from_number, make_struct, read_list, to_number
 
 
 class Layout(NamedTuple):
@@ -62,9 +62,7 @@ class EngineObject:
 
     def _read(self, name: str, field: Field) -> Any:
         if field.sizes == ("*",):
-            vector = getattr(self._handle, name)
-            count = self.ncon if name == "contact" else vector.size()
-            return make_list(field.kind, vector, count)
+            return read_list(field.kind, getattr(self._handle, name))
         if field.sizes:
             return self._read_array(name, field)
         if field.kind in FIELDS:
@@ -80,7 +78,9 @@ class EngineObject:
             return _make_big(address, count, field, theirs, shape)
         if name not in self._layout.arrays and name not in IN_STRUCT:
             # made anew by every step, and not always there
-            return shape_bytes(read(address, count if address else 0), field.kind, theirs, shape)
+            if not address:
+                return np.zeros(shape, field.kind)
+            return shape_bytes(read(address, count), field.kind, theirs, shape)
         mirror = self._memory.find(address, count)
         if mirror is None:
             mirror = self._memory.add(address, address + count)

@@ -6,7 +6,7 @@ from typing import Any
 
 from ._engine import ask, engine
 from ._memory import Memory
-from ._structs import MODULE, Struct, StructList, make_list
+from ._structs import MODULE, Struct, StructList, read_list
 
 
 class MjvScene(Struct):
@@ -23,4 +23,4 @@ class MjvScene(Struct):
     @property
     def geoms(self) -> StructList:
         """The geoms that there are now; a copy."""
-        return make_list("MjvGeom", self._handle.geoms, self.ngeom)
+        return read_list("MjvGeom", self._handle.geoms, self.ngeom)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import mujoco
@@ -36,7 +37,9 @@ def bad_scenes_say_what_is_wrong() -> None:
     read = mujoco.MjModel.from_xml_string
     _raises(ValueError, "XML parse error", lambda: read("<mujoco"))
     broken = "<mujoco><worldbody><geom sizze='1'/></worldbody></mujoco>"
-    _raises(ValueError, "unrecognized attribute: 'sizze'\nElement 'geom', line 1", lambda: read(broken))
+    _raises(
+        ValueError, "unrecognized attribute: 'sizze'\nElement 'geom', line 1", lambda: read(broken)
+    )
     flat = "<mujoco><worldbody><geom size='0'/></worldbody></mujoco>"
     _raises(ValueError, "size 0 must be positive in geom", lambda: read(flat))
     missing = "ParseXML: Error opening file 'nothing.xml'"
@@ -71,7 +74,7 @@ def what_the_page_lacks_says_where_it_is() -> None:
     model, _ = lab.make_scene()
     words = "is not in the page's MuJoCo; run the notebook"
     for name in ("GLContext", "MjrContext", "mjr_render", "mj_saveLastXML", "viewer", "rollout"):
-        _raises(AttributeError, f"mujoco.{name} {words}", lambda name=name: getattr(mujoco, name))
+        _raises(AttributeError, f"mujoco.{name} {words}", partial(getattr, mujoco, name))
     _raises(AttributeError, f"MjModel.geom_castshadow {words}", lambda: model.geom_castshadow)
     _raises(AttributeError, f"MjSpec.to_xml {words}", lambda: mujoco.MjSpec().to_xml())
     _raises(ImportError, f"mujoco.viewer {words}", lambda: __import__("mujoco.viewer"))
@@ -90,7 +93,9 @@ def wrong_arguments_say_what_is_expected() -> None:
     short, matrix = np.zeros(2), np.zeros((3, 3))
     _raises(TypeError, "size", lambda: mujoco.mju_mulMatVec(short, matrix, np.zeros(3)))
     floats = np.zeros(3, np.float32)
-    _raises(TypeError, "mju_cross(): incompatible", lambda: mujoco.mju_cross(floats, floats, floats))
+    _raises(
+        TypeError, "mju_cross(): incompatible", lambda: mujoco.mju_cross(floats, floats, floats)
+    )
     _raises(ValueError, "could not broadcast", lambda: setattr(data, "qpos", [1, 2, 3]))
     _raises(TypeError, "time: expected a number", lambda: setattr(data, "time", [1, 2]))
     _raises(ValueError, "Invalid int value for mjtObj: 99", lambda: mujoco.mjtObj(99))
@@ -99,8 +104,12 @@ def wrong_arguments_say_what_is_expected() -> None:
 def numbers_beyond_the_model_never_reach_the_engine() -> None:
     model, data = lab.make_scene()
     jacobian = np.zeros((3, model.nv))
-    _raises(IndexError, "Invalid index 99", lambda: mujoco.mj_jacBody(model, data, jacobian, None, 99))
-    _raises(IndexError, "Invalid index 0", lambda: mujoco.mj_contactForce(model, data, 0, np.zeros(6)))
+    _raises(
+        IndexError, "Invalid index 99", lambda: mujoco.mj_jacBody(model, data, jacobian, None, 99)
+    )
+    _raises(
+        IndexError, "Invalid index 0", lambda: mujoco.mj_contactForce(model, data, 0, np.zeros(6))
+    )
     state = mujoco.mjtState.mjSTATE_INTEGRATION
     _raises(TypeError, "mj_stateSize", lambda: mujoco.mj_getState(model, data, np.zeros(3), state))
     ids, distances = np.zeros(1, np.int32), np.zeros(2)
@@ -115,8 +124,9 @@ def numbers_beyond_the_model_never_reach_the_engine() -> None:
 
 def a_call_that_the_engine_gives_up_leaves_the_state_ready() -> None:
     model = mujoco.MjModel.from_xml_string(
-        '<mujoco><size memory="1K"/><worldbody><geom type="plane" size="1 1 .1"/><body pos="0 0 .05">'
-        '<freejoint/><geom type="box" size=".1 .1 .1"/></body></worldbody></mujoco>'
+        '<mujoco><size memory="1K"/><worldbody><geom type="plane" size="1 1 .1"/>'
+        '<body pos="0 0 .05"><freejoint/><geom type="box" size=".1 .1 .1"/></body>'
+        "</worldbody></mujoco>"
     )
     data = mujoco.MjData(model)
     for _ in range(50):
@@ -133,9 +143,7 @@ def a_call_that_the_engine_gives_up_leaves_the_state_ready() -> None:
 
 def an_error_costs_no_stack() -> None:
     """Each leaves the stack of the engine where it was, or some dozens would overrun it."""
-    spec = mujoco.MjSpec.from_string(
-        "<mujoco><worldbody><geom size='0'/></worldbody></mujoco>"
-    )
+    spec = mujoco.MjSpec.from_string("<mujoco><worldbody><geom size='0'/></worldbody></mujoco>")
     for _ in range(300):
         try:
             spec.compile()

@@ -38,14 +38,16 @@ ZOO = """<mujoco model="zoo">
         <geom name="capsule" type="capsule" size=".05 .1" user="1 2"/></body></body>
     <body name="b" pos="1 0 0.5"><joint name="slide" type="slide" axis="0 0 1" range="-1 1"/>
       <geom name="box" type="box" size=".1 .2 .05"/>
-      <body name="b1" pos="0.2 0 0.1"><joint name="hinge" axis="0 1 0" stiffness="3" armature=".01"/>
+      <body name="b1" pos="0.2 0 0.1">
+        <joint name="hinge" axis="0 1 0" stiffness="3" armature=".01"/>
         <geom name="ellipsoid" type="ellipsoid" size=".05 .06 .2"/><site name="tip" pos="0 0 .2"/>
       </body></body>
     <body name="c" pos="1.5 .5 .5"><joint name="d1"/><geom type="cylinder" size=".05 .1"/></body>
     <body name="d" pos="1.5 -.5 .5"><joint name="d2"/><geom type="sphere" size=".08"/></body>
     <body name="m" mocap="true" pos="0 2 1"><geom type="sphere" size=".1" contype="0"/></body>
   </worldbody>
-  <contact><pair name="p" geom1="floor" geom2="box"/><exclude name="x" body1="c" body2="d"/></contact>
+  <contact><pair name="p" geom1="floor" geom2="box"/>
+    <exclude name="x" body1="c" body2="d"/></contact>
   <tendon><spatial name="rope" width=".01"><site site="s"/><site site="tip"/></spatial>
     <fixed name="pair"><joint joint="d1" coef="1"/><joint joint="d2" coef="-1"/></fixed></tendon>
   <equality><joint name="e" joint1="d1" joint2="d2"/></equality>
@@ -57,7 +59,7 @@ ZOO = """<mujoco model="zoo">
 </mujoco>"""
 
 #: Called with random numbers, or with quaternions (q), matrices of rotations (r): what goes in.
-FUNCTIONS = {
+FUNCTIONS: dict[str, tuple[Any, str]] = {
     "mju_mulQuat": (4, "qq"),
     "mju_negQuat": (4, "q"),
     "mju_quat2Mat": (9, "q"),
@@ -101,9 +103,17 @@ def _make_scenes() -> dict[str, tuple[Any, Any]]:
     return {"book": lab.make_scene(), "zoo": (zoo, data)}
 
 
-def _read_views(model: Any, data: Any, views: dict[str, dict[str, Any]]) -> Iterator[tuple[str, Any]]:
+def _read_views(
+    model: Any, data: Any, views: dict[str, dict[str, Any]]
+) -> Iterator[tuple[str, Any]]:
     """Read every attribute of every named view; an object without a name by its number."""
-    counts = {"key": "nkey", "joint": "njnt", "texture": "ntex", "material": "nmat", "camera": "ncam"}
+    counts = {
+        "key": "nkey",
+        "joint": "njnt",
+        "texture": "ntex",
+        "material": "nmat",
+        "camera": "ncam",
+    }
     counts |= {"equality": "neq", "body": "nbody", "numeric": "nnumeric", "actuator": "nu"}
     for owner, kinds in (("MjModel", views["MjModel"]), ("MjData", views["MjData"])):
         for kind, attributes in kinds.items():

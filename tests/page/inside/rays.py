@@ -14,7 +14,9 @@ from labutils.raycast import RaycastRenderer, get_pixel_rays
 SHAPES = ("box", "sphere", "capsule", "cylinder", "ellipsoid", "mesh", "hfield")
 GROUPS = np.array([1, 1, 1, 0, 0, 0], np.uint8)
 _MESH = '<mesh name="t" vertex="0 0 0  .3 0 0  0 .3 0  0 0 .3  .2 .2 .2"/>'
-_HFIELD = '<hfield name="h" nrow="3" ncol="3" size=".2 .2 .2 .05" elevation="0 .2 0 .4 1 .3 0 .1 0"/>'
+_HFIELD = (
+    '<hfield name="h" nrow="3" ncol="3" size=".2 .2 .2 .05" elevation="0 .2 0 .4 1 .3 0 .1 0"/>'
+)
 
 
 def collect(width: int, height: int) -> dict[str, Any]:
