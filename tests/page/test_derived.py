@@ -63,7 +63,7 @@ def test_the_scene_of_the_page_is_the_scene_of_the_book() -> None:
         if is_array and name not in ("geom_castshadow", "tex_pathadr"):
             # quaternions of copies are normalized once more
             gap = abs(value.astype(float) - getattr(theirs, name)).max(initial=0)
-                assert gap < 1e-12, name
+            assert gap < 1e-12, name
     assert ours.names == theirs.names
 
 

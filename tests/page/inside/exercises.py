@@ -10,21 +10,12 @@ from labutils.checks import judge
 from labutils.checks.table import load_table
 from solutions import load_exercises
 
-#: The exercises whose cases need a simulator.
-NEED_MUJOCO = ("render_camera", "get_camera_intrinsics", "rank_cameras")
 _STARTERS = Path(solutions.__file__).parents[1] / "exercises" / "_generated"
 
 
-def judge_those_that_need_mujoco() -> dict[str, list[Any]]:
-    return {label: said for name in NEED_MUJOCO for label, said in _judge_all(name).items()}
-
-
-def judge_the_references_of_the_others() -> dict[str, list[Any]]:
-    return {
-        f"{name}: reference": _judge(name, exercise.reference)
-        for name, exercise in load_exercises().items()
-        if name not in NEED_MUJOCO
-    }
+def judge_all() -> dict[str, list[Any]]:
+    """Return what is said of each function: the result, the property and the name of a mistake."""
+    return {label: said for name in load_exercises() for label, said in _judge_all(name).items()}
 
 
 def _judge_all(name: str) -> dict[str, list[Any]]:
