@@ -12,8 +12,8 @@
  * @param {BufferSource} wasm - the content of `mujoco.wasm`
  */
 export async function loadBridge(loadEngine, wasm) {
-  /** @type {WebAssembly.Memory} */
-  let memory;
+  /** @type {{ memory: WebAssembly.Memory } & Record<string, (...given: number[]) => number>} */
+  let parts;
   const engine = await loadEngine({
     /**
      * @param {any} imports
@@ -22,7 +22,7 @@ export async function loadBridge(loadEngine, wasm) {
     instantiateWasm(imports, done) {
       teachBooleans(imports.env);
       WebAssembly.instantiate(wasm, imports).then(({ instance, module }) => {
-        memory = /** @type {WebAssembly.Memory} */ (instance.exports.memory);
+        parts = /** @type {any} */ (instance.exports);
         done(instance, module);
       });
       return {};
@@ -34,14 +34,23 @@ export async function loadBridge(loadEngine, wasm) {
    * @param {number} address
    * @param {number} length
    */
-  const getBytes = (address, length) => new Uint8Array(memory.buffer, address, length);
+  const getBytes = (address, length) => new Uint8Array(parts.memory.buffer, address, length);
 
-  const countBytes = () => memory.buffer.byteLength;
+  const countBytes = () => parts.memory.buffer.byteLength;
+
+  const idleStack = parts.emscripten_stack_get_current();
+
+  /**
+   * To be called after every error. The engine leaves by an exception of JavaScript, which unwinds
+   * everything but its own stack: a few dozen errors later that would have run into other memory.
+   */
+  const resetStack = () => parts._emscripten_stack_restore(idleStack);
 
   return {
     engine,
     getBytes,
     countBytes,
+    resetStack,
     listArrays,
     findArray,
     step: makeStep(engine),

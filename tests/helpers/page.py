@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import importlib.metadata
 import json
 import shutil
 import subprocess
@@ -18,9 +20,35 @@ LIBRARY = (*pack_python.LIBRARY, "labutils/checks/tables/*.npz", "labutils/explo
 
 
 def find_wheels() -> page_wheels.Wheels:
-    """Find NumPy and OpenCV for the page, as a build of the book does."""
+    """Find NumPy and OpenCV for the page, on this machine: nothing is downloaded."""
     version = json.loads((ROOT / "package.json").read_text("utf-8"))["dependencies"]["pyodide"]
-    return page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version)
+
+    def refuse(address: str) -> bytes:
+        raise OSError(f"{address} is not asked for by a test")
+
+    return page_wheels.find_wheels(page_python.VENDOR / page_python.LOCK, version, refuse)
+
+
+def list_functions(path: Path) -> list[str]:
+    """List the functions of a file that run in the page."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
+    return [one.name for one in functions if one.name[0] != "_" and not one.args.args]
+
+
+def collect_extras() -> dict[str, bytes]:
+    """Collect what the files in the page import or read beside the library."""
+    patterns = ("content/*.py", "content/*.yml", "solutions/*.py", "exercises/_generated/*.py")
+    paths = [
+        path
+        for pattern in (*patterns, "book/*.md", "exercises/*.md")
+        for path in ROOT.glob(pattern)
+    ]
+    extras = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in paths}
+    for file in importlib.metadata.files("pyyaml") or []:
+        if file.parts[0] == "yaml" and file.suffix == ".py":
+            extras[file.as_posix()] = file.read_binary()
+    return extras
 
 
 def write_assets(folder: Path, wheels: page_wheels.Wheels, extra: dict[str, bytes]) -> None:
@@ -51,7 +79,7 @@ def write_assets(folder: Path, wheels: page_wheels.Wheels, extra: dict[str, byte
 
 
 def run_files(assets: Path, out: Path, *files: Path) -> dict[str, Any]:
-    """Run files in one start of the page's Python; return what each of them answers."""
+    """Run files in one start of the page's Python; return what each of their functions said."""
     command = [*npm.find_node(), "--no-warnings", str(HARNESS), str(assets), str(out)]
     done = subprocess.run(
         [*command, *map(str, files)], capture_output=True, text=True, check=False, timeout=600

@@ -1,6 +1,7 @@
-// Runs files of Python in the page's Python, under Node, and prints what they answer as JSON:
+// Runs the functions of Python files in the page's Python, under Node, and prints what they return:
 // node _python.mjs ASSETS OUT FILE...   ASSETS is a folder as tests/helpers/page.py makes it.
-// A file leaves its answer in a variable `answer`, and arrays in the folder /out, which is OUT.
+// Arrays go to the folder /out of the page, which is OUT. The answer is JSON: {file: {function:
+// {value, error, seconds}}}, and the times of the start in milliseconds.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -42,18 +43,32 @@ async function boot() {
 
 const RUN = `
 def run(source, name):
-    import json, time, traceback
-    namespace = {"__name__": "__main__", "answer": None}
-    start = time.perf_counter()
-    try:
-        exec(compile(source, name, "exec"), namespace)
-        said = {"answer": namespace["answer"]}
-    except BaseException:
-        said = {"error": traceback.format_exc()}
-    said["seconds"] = round(time.perf_counter() - start, 3)
+    import json, time, traceback, types
+    module = types.ModuleType("inside")
+    said = {}
+    def call(label, function):
+        start = time.perf_counter()
+        value, error = None, ""
+        try:
+            value = function()
+        except BaseException:
+            error = traceback.format_exc()
+        seconds = round(time.perf_counter() - start, 3)
+        said[label] = {"value": value, "error": error, "seconds": seconds}
+    call("import", lambda: exec(compile(source, name, "exec"), vars(module)))
+    for label, function in list(vars(module).items()):
+        is_own = isinstance(function, types.FunctionType) and function.__module__ == "inside"
+        if is_own and not label.startswith("_") and not function.__code__.co_argcount:
+            call(label, function)
     return json.dumps(said)
 run
 `;
+
+// Node shows the line of Pyodide that threw, and that is its whole source
+process.on("uncaughtException", (error) => {
+  console.error(String(error.stack ?? error).slice(-3000));
+  process.exitCode = 1;
+});
 
 const pyodide = await boot();
 const run = pyodide.runPython(RUN);

@@ -30,7 +30,8 @@ from tools.derive.page_mujoco_structs import (
 )
 from tools.vendor import npm
 
-DERIVED = ROOT / "book" / "_page_mujoco" / "mujoco" / "derived.json"
+PLACE = "book/_page_mujoco/mujoco/derived.json"
+DERIVED = ROOT / PLACE
 PACKAGE = "@mujoco/mujoco"
 #: What is MuJoCo's own of what its package holds: no imported module, no helper.
 OWN_NAMES = re.compile(r"(?:mj|Mj|get_mj|set_mj|GLContext$|from_zip$|to_zip$)")
@@ -48,7 +49,7 @@ def main(arguments: list[str]) -> int:
         print(f"page mujoco: {problem or 'up to date'}", file=sys.stderr if problem else sys.stdout)
         return 1 if problem else 0
     DERIVED.write_text(make_text(), encoding="utf-8")
-    print(f"page mujoco: wrote {DERIVED.relative_to(ROOT).as_posix()}")
+    print(f"page mujoco: wrote {PLACE}")
     return 0
 
 
@@ -58,10 +59,9 @@ def find_difference() -> str:
     if now == kept:
         return ""
     lines = list(difflib.unified_diff(kept, now, "committed", "derived", n=1, lineterm=""))
-    name = DERIVED.relative_to(ROOT).as_posix()
     more = [f"... and {len(lines) - MOST_LINES} lines more"] if len(lines) > MOST_LINES else []
     shown = "\n".join([*lines[:MOST_LINES], *more])
-    return f"{name} is not what is derived now; run `make exercises`.\n{shown}"
+    return f"{PLACE} is not what is derived now; run `make exercises`.\n{shown}"
 
 
 def make_text() -> str:

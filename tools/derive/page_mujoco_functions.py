@@ -7,8 +7,10 @@ that the function writes (w), and that may be None (?).
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import mujoco
+import numpy as np
 from mujoco.introspect import ast_nodes, functions
 
 #: Families of functions that pages may call. ``mjr_`` draws with OpenGL, ``mjs_`` is behind MjSpec.
@@ -84,6 +86,9 @@ OTHER_PREFIXES = {
     "tendon": ("ten_",),
 }
 
+#: A joint has arrays of its own and of its degrees of freedom, some by the same names.
+PROBE = """<mujoco><worldbody><body><freejoint/><geom size="1"/></body></worldbody></mujoco>"""
+
 
 def derive_functions(declarations: str) -> dict[str, str]:
     """Return the signature of every function that both sides have in the same form."""
@@ -152,12 +157,25 @@ def derive_views(fields: dict[str, dict[str, str]]) -> dict[str, dict[str, dict[
             if views is None:
                 continue
             names = [name for name in dir(views) if not name.startswith("_")]
-            found = {name: _find_field(name, prefix, fields[owner]) for name in names}
-            table[owner][kind] = {name: field for name, field in found.items() if field}
+            found = {name: _list_fields(name, prefix, fields[owner]) for name in names}
+            table[owner][kind] = {
+                name: _choose(owner, kind, name, fields) for name, fields in found.items() if fields
+            }
     return table
 
 
-def _find_field(attribute: str, prefix: str, fields: dict[str, str]) -> str:
-    """Find the array that an attribute of a view is a part of."""
+def _list_fields(attribute: str, prefix: str, fields: dict[str, str]) -> list[str]:
+    """List the arrays that an attribute of a view may be a part of, by their names."""
     prefixes = [f"{prefix}_", *OTHER_PREFIXES.get(prefix, ())]
-    return next((found for one in prefixes if (found := one + attribute) in fields), "")
+    return [found for one in prefixes if (found := one + attribute) in fields]
+
+
+def _choose(owner: str, kind: str, attribute: str, fields: list[str]) -> str:
+    """Choose the array that an attribute really is a part of, where its name leaves a choice."""
+    if len(fields) == 1:
+        return fields[0]
+    probe: Any = mujoco.MjModel.from_xml_string(PROBE)
+    if owner == "MjData":
+        probe = mujoco.MjData(probe)
+    part = getattr(getattr(probe, kind)(0), attribute)
+    return next(one for one in fields if np.shares_memory(part, getattr(probe, one)))

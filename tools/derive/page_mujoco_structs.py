@@ -55,8 +55,10 @@ DTYPES = {
     "mjtBool": "?",
     "mjtSize": "i8",
     "uintptr_t": "u8",
-    "char": "bytes",
+    "char": "i1",
 }
+#: Arrays of characters that the package hands out as bytes.
+TEXTS = ("names", "paths", "text_data")
 #: MuJoCo's types of single numbers; an enum keeps its name.
 SCALARS = {
     "mjtNum": "f",
@@ -142,7 +144,10 @@ def describe(field: Any) -> str:
         return "" if is_text else _describe_array(kind.inner_type, kind.extents)
     if isinstance(kind, ast_nodes.PointerType):
         is_text = str(kind.inner_type) == "mjString"
-        return "s" if is_text else _describe_array(kind.inner_type, field.array_extent)
+        if is_text:
+            return "s"
+        text = _describe_array(kind.inner_type, field.array_extent)
+        return text.replace("i1", "bytes") if field.name in TEXTS else text
     return _describe_single(kind.name)
 
 

@@ -91,4 +91,5 @@ def _get_self() -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, *_FUNCTIONS, *_ENUMS, *_CONSTANTS, *_STRUCTS})
+    own = (name for name in globals() if name.startswith("__"))
+    return sorted({*own, *__all__, *_FUNCTIONS, *_ENUMS, *_CONSTANTS, *_STRUCTS})

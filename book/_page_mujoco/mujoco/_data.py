@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from typing import Any
 
 from ._engine import ask, engine
@@ -30,7 +29,7 @@ class MjData(EngineObject):
 
     def _take(self, handle: Any, model: MjModel) -> None:
         self.__dict__["_model"] = model
-        super().__init__(handle, model, model._data_layout)
+        super().__init__(handle, model._data_layout)
         model.__dict__["_data_layout"] = self._layout
 
     @property
@@ -53,14 +52,13 @@ class MjData(EngineObject):
         handle = source._copy_handle()
         before = {name: self._find(name)[0] for name in IN_STRUCT}
         start, size = self._start, int(self._handle.nbuffer)
-        self._release()
         self.__dict__.update(_handle=handle, _start=int(handle.buffer.byteOffset))
-        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
         beside = {address: self._find(name)[0] for name, address in before.items()}
 
         def place(address: int) -> int:
             is_inside = start <= address < start + size
             return address - start + self._start if is_inside else beside[address]
 
+        self._memory.take(handle)
         self._memory.move(place)
         self._memory.pull()

@@ -53,6 +53,7 @@ def ask(function: Any, *arguments: Any, otherwise: type[Exception] = FatalError)
     try:
         return function(*arguments)
     except JsException as problem:
+        bridge.resetStack()
         raise _translate(problem, otherwise) from None
 
 

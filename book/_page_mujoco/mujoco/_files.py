@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pyodide.ffi import to_js
 
-from ._engine import engine
+from ._engine import ask, engine
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -52,5 +52,5 @@ def make_vfs(assets: Mapping[str, bytes | str]) -> Any:
     vfs = engine.MjVFS.new()
     for name, content in assets.items():
         data = content.encode() if isinstance(content, str) else content
-        vfs.addBuffer(name, to_js(data))
+        ask(vfs.addBuffer, name, to_js(data), otherwise=ValueError)
     return vfs

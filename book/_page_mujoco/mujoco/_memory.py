@@ -8,6 +8,7 @@ numbers. Both memories may grow: a stretch is looked up by its address, which ne
 
 from __future__ import annotations
 
+import weakref
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,10 +34,26 @@ _DTYPES = {
 
 
 class Memory:
-    """The mirrors of one object of the engine."""
+    """The mirrors of one object of the engine, shared by all that stand for a part of it.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    handle : JsProxy, optional
+        The object, where it is Python's: it is deleted once nothing shares the memory any more.
+        (Were it bound to the object of Python, ``make_scene()[0].opt`` would be of a dead model.)
+    """
+
+    def __init__(self, handle: Any = None) -> None:
         self._stretches: list[tuple[int, np.ndarray]] = []
+        self._release: Any = None
+        if handle is not None:
+            self.take(handle)
+
+    def take(self, handle: Any) -> None:
+        """Own an object of the engine, in place of the one before."""
+        if self._release:
+            self._release()
+        self._release = weakref.finalize(self, handle.delete)
 
     def add(self, start: int, end: int) -> np.ndarray:
         """Mirror a stretch of memory; return the mirror, filled."""
@@ -100,9 +117,10 @@ def shape_bytes(content: np.ndarray, kind: str, theirs: str, shape: tuple[int, .
     if kind == "bytes":
         return content.tobytes()
     count = int(np.prod(shape))
-    if count * np.dtype(kind).itemsize != content.size:
-        values = content.view(_DTYPES[theirs])
-        if values.size != count:  # not made yet: the engine has no array there
-            return np.empty((0, *shape[1:]), kind)
-        return values.astype(kind).reshape(shape)
-    return content.view(kind).reshape(shape)
+    if count * np.dtype(kind).itemsize == content.size:
+        return content.view(kind).reshape(shape)
+    if not content.size:  # not made yet: the engine has no array there
+        return np.empty((0, *shape[1:]), kind)
+    values = content.view(_DTYPES[theirs])
+    # the same rows, in a version of MuJoCo in which they are of another length
+    return values.reshape(shape[0], -1) if len(shape) > 1 else values

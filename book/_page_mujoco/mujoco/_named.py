@@ -85,8 +85,9 @@ class View:
             else:
                 message = f"'{MODULE}.{type(self).__name__}' object has no attribute '{name}'"
             raise AttributeError(message, name=name, obj=self)
-        array = getattr(self._owner, field)
-        return array[self._find_rows(FIELDS[self._owner_kind][field].sizes)]
+        if (self._accessor, name) in _MADE:
+            return _MADE[self._accessor, name](self._owner, self._model, self.id)
+        return self._get_rows(field)
 
     def _find_rows(self, sizes: tuple[str, ...]) -> slice | int:
         """Say which rows of an array are this object's, by the first of its sizes."""
@@ -103,6 +104,13 @@ class View:
             start, length = (getattr(model, name)[i] for name in _RANGES[first])
             return slice(max(start, 0), max(start, 0) + length)
         return i if len(sizes) > 1 else slice(i, i + 1)
+
+    def _get_rows(self, field: str) -> np.ndarray:
+        rows = self._find_rows(FIELDS[self._owner_kind][field].sizes)
+        array: np.ndarray = getattr(self._owner, field)[rows]
+        # an actuator has one control, as a rule: its range is two numbers, not a row of two
+        is_single = FIELDS[self._owner_kind][field].sizes[0] in ("nu", "nout") and len(array) == 1
+        return array[0] if is_single and array.ndim > 1 else array
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name in ("id", "name"):
@@ -121,12 +129,45 @@ class View:
 
 #: Arrays that hold a range of numbers for each object: where it starts, and how long it is.
 _RANGES = {
+    "nJten": ("ten_J_rowadr", "ten_J_rownnz"),
     "nsensordata": ("sensor_adr", "sensor_dim"),
     "nnumericdata": ("numeric_adr", "numeric_size"),
     "ntupledata": ("tuple_adr", "tuple_size"),
     "na": ("actuator_actadr", "actuator_actnum"),
     "nu": ("actuator_ctrladr", "actuator_ctrlnum"),
     "nout": ("actuator_outadr", "actuator_outnum"),
+}
+
+
+def _get_moment(data: Any, model: Any, number: int) -> np.ndarray:
+    """Return the moment arm of an actuator for every degree of freedom; the engine keeps few."""
+    moment = np.zeros(model.nv)
+    start, count = data.moment_rowadr[number], data.moment_rownnz[number]
+    columns = data.moment_colind[start : start + count]
+    moment[columns] = data.actuator_moment[start : start + count]
+    return moment
+
+
+def _get_heights(_: Any, model: Any, number: int) -> np.ndarray:
+    start, rows = model.hfield_adr[number], model.hfield_nrow[number]
+    columns = model.hfield_ncol[number]
+    heights: np.ndarray = model.hfield_data[start : start + rows * columns]
+    return heights.reshape(rows, columns)
+
+
+def _get_pixels(_: Any, model: Any, number: int) -> np.ndarray:
+    shapes = np.stack([model.tex_height, model.tex_width, model.tex_nchannel], axis=1)
+    ends = np.cumsum(shapes.prod(axis=1))
+    shape = shapes[number]
+    pixels: np.ndarray = model.tex_data[ends[number] - shape.prod() : ends[number]]
+    return pixels.reshape(shape)
+
+
+#: Attributes that are no rows of an array.
+_MADE = {
+    ("actuator", "moment"): _get_moment,
+    ("hfield", "data"): _get_heights,
+    ("texture", "data"): _get_pixels,
 }
 
 _classes: dict[tuple[str, str], type[View]] = {}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +11,7 @@ from ._derived import ABSENT, FIELDS, VIEWS, Field
 from ._engine import bridge
 from ._memory import BIG, Memory, read, shape_bytes, write
 from ._named import ALIASES, View, make_view
-from ._structs import MODULE, from_number, make_list, make_struct, to_number
+from ._structs import MODULE, from_number, make_struct, read_list, to_number
 
 
 class Layout(NamedTuple):
@@ -39,16 +38,13 @@ class EngineObject:
 
     _kind = ""
 
-    def __init__(self, handle: Any, sizes: Any, layout: Layout | None) -> None:
+    def __init__(self, handle: Any, layout: Layout | None) -> None:
         start = int(handle.buffer.byteOffset)
         layout = layout or Layout.read(handle)
-        memory = Memory()
+        memory = Memory(handle)
         for first, last in layout.stretches:
             memory.add(start + first, start + last)
-        self.__dict__.update(
-            _handle=handle, _start=start, _layout=layout, _memory=memory, _sizes=sizes
-        )
-        self.__dict__["_release"] = weakref.finalize(self, handle.delete)
+        self.__dict__.update(_handle=handle, _start=start, _layout=layout, _memory=memory)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -66,9 +62,7 @@ class EngineObject:
 
     def _read(self, name: str, field: Field) -> Any:
         if field.sizes == ("*",):
-            vector = getattr(self._handle, name)
-            count = self.ncon if name == "contact" else vector.size()
-            return make_list(field.kind, vector, count)
+            return read_list(field.kind, getattr(self._handle, name))
         if field.sizes:
             return self._read_array(name, field)
         if field.kind in FIELDS:
@@ -84,7 +78,9 @@ class EngineObject:
             return _make_big(address, count, field, theirs, shape)
         if name not in self._layout.arrays and name not in IN_STRUCT:
             # made anew by every step, and not always there
-            return shape_bytes(read(address, count if address else 0), field.kind, theirs, shape)
+            if not address:
+                return np.zeros(shape, field.kind)
+            return shape_bytes(read(address, count), field.kind, theirs, shape)
         mirror = self._memory.find(address, count)
         if mirror is None:
             mirror = self._memory.add(address, address + count)
@@ -106,7 +102,7 @@ class EngineObject:
         name, _, factor = size.partition("*")
         if name.isdecimal():
             return int(name)
-        owner = self if name in FIELDS[self._kind] else self._sizes
+        owner = self if name in FIELDS[self._kind] else self.model
         return int(getattr(owner, name)) * int(factor or 1)
 
     def _make_view(self, kind: str, key: Any) -> View:
@@ -123,11 +119,14 @@ class EngineObject:
             raise AttributeError(f"property of '{self._kind}' object has no setter")
 
     def _write_array(self, name: str, value: Any) -> None:
-        array = getattr(self, name)
-        array[...] = value
         address, count, _ = self._find(name)
+        array = getattr(self, name)
         if count > BIG:
+            array = array.copy()  # what is asked for cannot be written
+            array[...] = value
             write(address, array)
+        else:
+            array[...] = value
 
     def __dir__(self) -> list[str]:
         accessors = [one for one in (*VIEWS[self._kind], *ALIASES) if self._has_views(one)]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import weakref
 from typing import Any
 
 from ._engine import ask, engine
 from ._memory import Memory
-from ._structs import MODULE, Struct, StructList, make_list
+from ._structs import MODULE, Struct, StructList, read_list
 
 
 class MjvScene(Struct):
@@ -19,10 +18,9 @@ class MjvScene(Struct):
     def __init__(self, model: Any = None, maxgeom: int = 0) -> None:
         handle = None if model is None else model._handle
         made = ask(engine.MjvScene.new, *(() if handle is None else (handle, int(maxgeom))))
-        weakref.finalize(self, made.delete)
-        self.__dict__.update(_handle=made, _memory=Memory())
+        self.__dict__.update(_handle=made, _memory=Memory(made))
 
     @property
     def geoms(self) -> StructList:
         """The geoms that there are now; a copy."""
-        return make_list("MjvGeom", self._handle.geoms, self.ngeom)
+        return read_list("MjvGeom", self._handle.geoms, self.ngeom)

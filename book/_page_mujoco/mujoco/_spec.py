@@ -47,7 +47,7 @@ class MjSpec:
     def __init__(self) -> None:
         self._take("<mujoco/>", {})
 
-    def _take(self, xml: str, assets: Mapping[str, bytes]) -> None:
+    def _take(self, xml: str, assets: Mapping[str, bytes | str]) -> None:
         self._vfs = make_vfs(assets)
         weakref.finalize(self, self._vfs.delete)
         self._handle = ask(engine.parseXMLString, adapt(xml), self._vfs, otherwise=ValueError)
@@ -56,7 +56,7 @@ class MjSpec:
         self._memory = Memory()
 
     @classmethod
-    def from_string(cls, xml: str, assets: Mapping[str, bytes] | None = None) -> MjSpec:
+    def from_string(cls, xml: str, assets: Mapping[str, bytes | str] | None = None) -> MjSpec:
         """Read a scene from its text.
 
         Raises
@@ -69,7 +69,7 @@ class MjSpec:
         return spec
 
     @classmethod
-    def from_file(cls, filename: str, assets: Mapping[str, bytes] | None = None) -> MjSpec:
+    def from_file(cls, filename: str, assets: Mapping[str, bytes | str] | None = None) -> MjSpec:
         """Read a scene from a file; what it names is looked for beside it."""
         xml, found = read_scene(filename)
         return cls.from_string(xml, {**found, **(assets or {})})
@@ -107,7 +107,10 @@ class MjSpec:
     def _find(self, what: str, name: str) -> Element | None:
         kind = getattr(engine.mjtObj, f"mjOBJ_{KINDS[what][1]}")
         found = ask(engine.mjs_findElement, self._handle, kind, name)
-        return self._wrap(what, found) if found else None
+        if found:
+            return self._wrap(what, found)
+        # once compiled, the engine finds by name only what was there then
+        return next((one for one in self._list(what) if one.name == name), None)
 
     def _list(self, what: str) -> list[Element]:
         kind = getattr(engine.mjtObj, f"mjOBJ_{KINDS[what][1]}")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import weakref
 from json import loads
 from typing import Any
 
@@ -62,12 +61,11 @@ class Struct:
     _kind = ""
 
     def __init__(self, handle: Any = None, memory: Memory | None = None) -> None:
-        is_own = handle is None
-        if is_own:
+        if handle is None:
             handle = ask(getattr(engine, self._kind).new)
-            weakref.finalize(self, handle.delete)
+            memory = Memory(handle)
         # never deleted where it is a part of another: that would free memory of the whole
-        self.__dict__.update(_handle=handle, _memory=Memory() if memory is None else memory)
+        self.__dict__.update(_handle=handle, _memory=memory or Memory())
 
     def __getattr__(self, name: str) -> Any:
         field = FIELDS[self._kind].get(_IN_C.get(name, name))
@@ -76,8 +74,7 @@ class Struct:
             message = f"'{MODULE}.{kind}' object has no attribute '{name}'"
             raise AttributeError(message, name=name, obj=self)
         if field.sizes == ("*",):
-            vector = getattr(self._handle, name)
-            return make_list(field.kind, vector, vector.size())
+            return read_list(field.kind, getattr(self._handle, name))
         if field.sizes or field.kind in FIELDS:
             self.__dict__[name] = self._make_part(_IN_C.get(name, name), field)
             return self.__dict__[name]
@@ -114,8 +111,7 @@ class Struct:
         self._memory.push()
         twin = type(self).__new__(type(self))
         handle = ask(self._handle.copy)
-        weakref.finalize(twin, handle.delete)
-        twin.__dict__.update(_handle=handle, _memory=Memory())
+        twin.__dict__.update(_handle=handle, _memory=Memory(handle))
         return twin
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Struct:
@@ -151,6 +147,8 @@ class StructList:
             name: _stack(field, [getattr(one, name) for one in handles])
             for name, field in FIELDS[self._kind].items()
         }
+        for handle in handles:  # copies, each of them
+            handle.delete()
         self._columns: dict[str, np.ndarray] = columns
         self._count = count
 
@@ -187,12 +185,20 @@ class Row:
         return show(self._kind, self, self._names)
 
 
-def make_list(kind: str, vector: Any, count: int) -> StructList:
-    """Read a list of structs of the engine."""
+#: Lists that are a part of their owner. The engine hands out copies of all others.
+_PARTS = frozenset({"MjWarningStat", "MjTimerStat", "MjSolverStat"})
+
+
+def read_list(kind: str, vector: Any, count: int | None = None) -> StructList:
+    """Read a list of structs of the engine, and give it back."""
     name = f"_{kind}List"
     if name not in _lists:
         _lists[name] = type(name, (StructList,), {"_kind": kind, "__module__": MODULE})
-    return _lists[name](vector, count)
+    try:
+        return _lists[name](vector, vector.size() if count is None else count)
+    finally:
+        if kind not in _PARTS:
+            vector.delete()
 
 
 _lists: dict[str, type[StructList]] = {}

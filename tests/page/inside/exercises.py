@@ -1,0 +1,36 @@
+"""What the checks say of references, starters and known mistakes: in the page, and here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import solutions
+from labutils.checks import judge
+from labutils.checks.table import load_table
+from solutions import load_exercises
+
+_STARTERS = Path(solutions.__file__).parents[1] / "exercises" / "_generated"
+
+
+def judge_all() -> dict[str, list[Any]]:
+    """Return what is said of each function: the result, the property and the name of a mistake."""
+    return {label: said for name in load_exercises() for label, said in _judge_all(name).items()}
+
+
+def _judge_all(name: str) -> dict[str, list[Any]]:
+    exercise = load_exercises()[name]
+    starter: dict[str, Any] = {}
+    source = (_STARTERS / f"{name}.py").read_text(encoding="utf-8")
+    exec(compile(source, name, "exec"), starter)  # noqa: S102 - our own derived file
+    functions = {
+        "reference": exercise.reference,
+        "starter": starter[name],
+        **{" + ".join(made): exercise.make_wrong(made) for made in exercise.get_combinations()},
+    }
+    return {f"{name}: {label}": _judge(name, one) for label, one in functions.items()}
+
+
+def _judge(name: str, function: Any) -> list[Any]:
+    verdict = judge(load_table(name), function)
+    return [verdict.result, verdict.property, verdict.misconception]
