@@ -1,7 +1,7 @@
 // Uses the code cells of a page as a reader does: node cells_ui.mjs SITE PAGE; prints what was seen.
 
 import { readFileSync } from "node:fs";
-import { main, NARROW, newPage, openPage, require } from "../../tools/browser.mjs";
+import { loadPictures, main, NARROW, newPage, openPage, require } from "../../tools/browser.mjs";
 import * as ui from "./_cells.mjs";
 
 const ENDLESS = 'print("began")\nwhile True:\n    pass\n';
@@ -27,6 +27,7 @@ await main(async (browser, site, name) => {
   const shown = await findShown(page);
   seen.number = shown;
   const place = () => ui.button(page, shown, "Run").evaluate((b) => b.getBoundingClientRect().y);
+  await loadPictures(page); // or one that comes late moves the page by itself
   await ui.button(page, shown, "Run").scrollIntoViewIfNeeded();
   const before = await place();
   seen.below = await ui.run(page, shown);
