@@ -4,6 +4,7 @@
 
 /** @typedef {import("@mujoco/mujoco").MainModule} Engine */
 /** @typedef {(options: object) => Promise<Engine>} LoadEngine */
+/** @typedef {{ memory: WebAssembly.Memory } & Record<string, (...given: number[]) => number>} Exports */
 /** @typedef {(type: number, handle: number) => unknown} TakeValue */
 
 /**
@@ -12,8 +13,7 @@
  * @param {BufferSource} wasm - the content of `mujoco.wasm`
  */
 export async function loadBridge(loadEngine, wasm) {
-  /** @type {{ memory: WebAssembly.Memory } & Record<string, (...given: number[]) => number>} */
-  let parts;
+  let parts = /** @type {Exports} */ ({}); // put there while the engine loads
   const engine = await loadEngine({
     /**
      * @param {any} imports
@@ -38,6 +38,32 @@ export async function loadBridge(loadEngine, wasm) {
 
   const countBytes = () => parts.memory.buffer.byteLength;
 
+  /** @type {{ HEAPU8: Uint8Array }} */
+  let python;
+
+  /**
+   * Learn where Python's memory is: two copies of numbers are then one call apart.
+   * @param {{ HEAPU8: Uint8Array }} module - Pyodide's own, whose HEAPU8 is new after a growth
+   */
+  const setPython = (module) => {
+    python = module;
+  };
+
+  /**
+   * Copy stretches of memory between the engine and Python.
+   * @param {Float64Array} table - of each stretch: address in the engine, in Python, and length
+   * @param {boolean} isPush - to the engine
+   */
+  function copyStretches(table, isPush) {
+    const mine = new Uint8Array(parts.memory.buffer);
+    const theirs = python.HEAPU8;
+    for (let i = 0; i < table.length; i += 3) {
+      const [at, place, length] = table.subarray(i, i + 3);
+      if (isPush) mine.set(theirs.subarray(place, place + length), at);
+      else theirs.set(mine.subarray(at, at + length), place);
+    }
+  }
+
   const idleStack = parts.emscripten_stack_get_current();
 
   /**
@@ -51,6 +77,8 @@ export async function loadBridge(loadEngine, wasm) {
     getBytes,
     countBytes,
     resetStack,
+    setPython,
+    copyStretches,
     listArrays,
     findArray,
     step: makeStep(engine),

@@ -66,6 +66,14 @@ def test_opengl_is_told_from_rays(scene: tuple[mujoco.MjModel, mujoco.MjData]) -
         assert not opengl.is_used_by(renderer)
 
 
+def test_rays_are_told_from_opengl_where_everything_is_drawn_by_rays(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mujoco, "Renderer", rays.RaycastRenderer)  # as in a page
+    with mujoco.Renderer(scene[0], 8, 8) as renderer:
+        assert not opengl.is_used_by(renderer)
+
+
 def test_raw_depth_of_rays_is_exact_and_leaves_color_mode(
     scene: tuple[mujoco.MjModel, mujoco.MjData],
 ) -> None:

@@ -153,6 +153,17 @@ def test_without_opengl_the_ray_caster_takes_over_and_says_so_once(
     assert 0.4 < depth.min() < depth.max() <= 12.0
 
 
+@pytest.mark.usefixtures("_no_gl")
+def test_in_a_page_the_ray_caster_draws_and_nobody_is_warned(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", "emscripten")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert isinstance(make_renderer(scene[0], 48, 64), RaycastRenderer)
+    assert not rendering.is_gl_available()
+
+
 def test_the_ray_caster_draws_what_opengl_draws(
     scene: tuple[mujoco.MjModel, mujoco.MjData],
 ) -> None:

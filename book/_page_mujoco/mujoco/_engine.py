@@ -11,10 +11,12 @@ import re
 from typing import Any
 
 import _mujoco_wasm
+import pyodide_js
 from pyodide.ffi import JsException
 
 #: What ``bridge.js`` has put there.
 bridge = _mujoco_wasm
+bridge.setPython(pyodide_js._module)
 #: The functions, classes and enums of the engine.
 engine = bridge.engine
 

@@ -12,6 +12,7 @@ import weakref
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from pyodide.ffi import to_js
 
 from ._engine import bridge
 
@@ -45,6 +46,7 @@ class Memory:
 
     def __init__(self, handle: Any = None) -> None:
         self._stretches: list[tuple[int, np.ndarray]] = []
+        self._table: Any = None  # the same for JavaScript
         self._release: Any = None
         if handle is not None:
             self.take(handle)
@@ -60,18 +62,23 @@ class Memory:
         mirror = np.empty(end - start, np.uint8)
         if mirror.size:
             bridge.getBytes(start, mirror.size).assign_to(mirror)
-            self._stretches.append((start, mirror))
+            self._set_stretches([*self._stretches, (start, mirror)])
         return mirror
+
+    def _set_stretches(self, stretches: list[tuple[int, np.ndarray]]) -> None:
+        self._stretches = stretches
+        rows = [(start, mirror.ctypes.data, mirror.size) for start, mirror in stretches]
+        self._table = to_js(np.array(rows, float).reshape(-1))
 
     def push(self) -> None:
         """Bring what Python has written into the engine."""
-        for start, mirror in self._stretches:
-            bridge.getBytes(start, mirror.size).assign(mirror)
+        if self._table:
+            bridge.copyStretches(self._table, True)  # noqa: FBT003 - JavaScript knows no names
 
     def pull(self) -> None:
         """Bring what the engine has written to Python."""
-        for start, mirror in self._stretches:
-            bridge.getBytes(start, mirror.size).assign_to(mirror)
+        if self._table:
+            bridge.copyStretches(self._table, False)  # noqa: FBT003 - as above
 
     def find(self, address: int, count: int) -> np.ndarray | None:
         """Return the part of a mirror that stands for some bytes, or None."""
@@ -82,7 +89,7 @@ class Memory:
 
     def move(self, place: Callable[[int], int]) -> None:
         """Take every stretch at another address: the arrays of Python stay what they are."""
-        self._stretches = [(place(start), mirror) for start, mirror in self._stretches]
+        self._set_stretches([(place(start), mirror) for start, mirror in self._stretches])
 
 
 def read(address: int, count: int) -> np.ndarray:
