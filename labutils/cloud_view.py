@@ -10,7 +10,6 @@ import functools
 import importlib.util
 import os
 import sys
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
