@@ -37,6 +37,17 @@ def test_a_change_is_shown_line_by_line(
         page_simulator.make_simulator_assets()
 
 
+def test_without_the_engine_nothing_is_derived(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail() -> str:
+        raise npm.VendorError("npm could not fetch the packages")
+
+    monkeypatch.setattr(npm, "install", fail)
+    assert page_mujoco.main([]) == 1
+    assert capsys.readouterr().err == "page mujoco: npm could not fetch the packages\n"
+
+
 def test_a_signature_is_written_in_short() -> None:
     text = functions.shorten(mujoco.mj_ray.__doc__)
     assert text.startswith("m:MjModel d:MjData pnt:f8[3,1] vec:f8[3,1] geomgroup:u1[6,1]? ")

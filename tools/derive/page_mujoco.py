@@ -43,7 +43,11 @@ MOST_LINES = 40  # of a difference: enough to see what it is
 
 def main(arguments: list[str]) -> int:
     """Write the file, or compare it; return the exit code."""
-    npm.install()
+    try:
+        npm.install()
+    except npm.VendorError as error:
+        print(f"page mujoco: {error}", file=sys.stderr)
+        return 1
     if "--check" in arguments:
         problem = find_difference()
         print(f"page mujoco: {problem or 'up to date'}", file=sys.stderr if problem else sys.stdout)

@@ -14,6 +14,9 @@ from ._structs import make_struct
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from typing import TypeAlias
+
+    Files: TypeAlias = Mapping[str, bytes | str]
 
 #: What a scene holds beside its bodies: the engine's function for it, and whether it has defaults.
 _IN_SCENES = {
@@ -47,7 +50,7 @@ class MjSpec:
     def __init__(self) -> None:
         self._take("<mujoco/>", {})
 
-    def _take(self, xml: str, assets: Mapping[str, bytes | str]) -> None:
+    def _take(self, xml: str, assets: Files) -> None:
         self._vfs = make_vfs(assets)
         weakref.finalize(self, self._vfs.delete)
         self._handle = ask(engine.parseXMLString, adapt(xml), self._vfs, otherwise=ValueError)
@@ -56,8 +59,10 @@ class MjSpec:
         self._memory = Memory()
 
     @classmethod
-    def from_string(cls, xml: str, assets: Mapping[str, bytes | str] | None = None) -> MjSpec:
-        """Read a scene from its text.
+    def from_string(
+        cls, xml: str, include: Files | None = None, assets: Files | None = None
+    ) -> MjSpec:
+        """Read a scene from its text; what it includes or names is given by name.
 
         Raises
         ------
@@ -65,14 +70,16 @@ class MjSpec:
             If the text is no scene; the message is the parser's.
         """
         spec = cls.__new__(cls)
-        spec._take(xml, assets or {})
+        spec._take(xml, {**(include or {}), **(assets or {})})
         return spec
 
     @classmethod
-    def from_file(cls, filename: str, assets: Mapping[str, bytes | str] | None = None) -> MjSpec:
+    def from_file(
+        cls, filename: str, include: Files | None = None, assets: Files | None = None
+    ) -> MjSpec:
         """Read a scene from a file; what it names is looked for beside it."""
         xml, found = read_scene(filename)
-        return cls.from_string(xml, {**found, **(assets or {})})
+        return cls.from_string(xml, {**found, **(include or {})}, assets)
 
     @property
     def worldbody(self) -> Any:

@@ -116,6 +116,17 @@ def a_scene_is_built_by_code() -> None:
     assert [one.name for one in spec.cameras] == ["eye"]
 
 
+def a_scene_finds_the_files_that_it_names() -> None:
+    ball = "<mujoco><worldbody><geom name='ball' size='.1'/></worldbody></mujoco>"
+    tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    text = """<mujoco><include file="ball.xml"/><asset><mesh name="t" file="t.obj"/></asset>
+      <worldbody><geom name="mesh" type="mesh" mesh="t"/></worldbody></mujoco>"""
+    spec = mujoco.MjSpec.from_string(text, {"ball.xml": ball.encode()}, {"t.obj": tetrahedron})
+    files = {"ball.xml": ball.encode(), "t.obj": tetrahedron}
+    for model in (spec.compile(), mujoco.MjModel.from_xml_string(text, files)):
+        assert (model.ngeom, model.nmeshvert) == (2, 4)
+
+
 def contacts_are_listed() -> None:
     model = mujoco.MjModel.from_xml_string(
         '<mujoco><worldbody><geom type="plane" size="1 1 .1"/><body pos="0 0 .1"><freejoint/>'
