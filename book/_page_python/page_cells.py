@@ -7,11 +7,14 @@ it anywhere. It speaks JSON, because nothing else crosses the border unchanged.
 from __future__ import annotations
 
 import ast
+import base64
 import builtins
 import contextlib
 import importlib.util
+import io
 import json
 import re
+import sys
 import warnings
 from typing import TYPE_CHECKING, Any
 
@@ -77,6 +80,7 @@ class Session:
             warnings.simplefilter("default")
             try:
                 self._execute(code, name)
+                publish_figures()
             except BaseException as error:  # noqa: BLE001 - SystemExit must not end the worker either
                 page_outputs.publish(self._make_error(error, code))
         return page_outputs.current.outputs
@@ -108,6 +112,18 @@ class Session:
         if isinstance(error, ModuleNotFoundError) and error.name in self.missing:
             advice = f"\n{NOT_LOADED.format(error.name, self.missing[error.name])}"
         return {**output, "traceback": [output["traceback"][0] + advice]}
+
+
+def publish_figures() -> None:
+    """Show the figures of Matplotlib that a cell has made, and close them, as notebooks do."""
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    for number in pyplot.get_fignums() if pyplot else ():
+        buffer = io.BytesIO()
+        pyplot.figure(number).savefig(buffer, format="png", bbox_inches="tight")
+        pyplot.close(number)
+        data = {"image/png": base64.b64encode(buffer.getvalue()).decode("ascii")}
+        data["text/plain"] = "a figure of Matplotlib"
+        page_outputs.publish({"output_type": "display_data", "data": data, "metadata": {}})
 
 
 def refuse_input(_prompt: object = "") -> str:

@@ -10,7 +10,15 @@ const TABLES = `${SITE_PACKAGES}/labutils/checks/tables`;
 const HOME = "/home/pyodide";
 const INDEX = "https://book.invalid/"; // never asked: fetch below answers in its place
 // The ray caster draws: a page has no OpenGL.
-const ENVIRONMENT = { HOME, MUJOCO_GL: "disable", LABUTILS_GL_MISSING: "a web page has none" };
+const ENVIRONMENT = {
+  HOME,
+  MUJOCO_GL: "disable",
+  LABUTILS_GL_MISSING: "a web page has none",
+  MPLBACKEND: "agg", // where a reader imports Matplotlib: page_cells.py shows its figures
+};
+
+const TOO_LITTLE =
+  "this device has too little memory for Python in a page: close other tabs, or run the notebook";
 
 /** @type {Pyodide} */
 let pyodide;
@@ -124,6 +132,13 @@ async function boot(/** @type {BootOrder} */ order) {
   modules.cells.prepare();
 }
 
+/** What went wrong, in words: the engine's own, but for the one fault that a reader can mend. */
+function explain(/** @type {any} */ error) {
+  const message = String(error?.message ?? error);
+  const isMemory = /out of memory|memory access|could not allocate|allocation failed/i;
+  return isMemory.test(message) ? `${TOO_LITTLE} (${message})` : message;
+}
+
 /** Start the engine of the simulator; it needs no Python, so it compiles beside it. */
 async function startEngine(/** @type {Record<string, Blob>} */ assets) {
   const [bridge, mujoco, wasm] = await Promise.all([
@@ -186,7 +201,7 @@ async function serve(/** @type {MessageEvent<Order>} */ { data: order, ports }) 
       await (order.kind === "boot" ? boot(order) : add(order));
       port.postMessage("");
     } catch (error) {
-      port.postMessage(String(/** @type {any} */ (error)?.message ?? error));
+      port.postMessage(explain(error));
     }
   } else if (order.kind === "comm") {
     const { buffers, ...message } = order.message;
@@ -207,6 +222,6 @@ self.onmessage = (event) => {
     .then(() => serve(event))
     .catch((error) => {
       // what Python itself could not catch: out of memory, a stack that is too deep
-      self.postMessage({ kind: "fatal", message: String(error?.message ?? error) });
+      self.postMessage({ kind: "fatal", message: explain(error) });
     });
 };

@@ -170,3 +170,11 @@ def test_a_package_that_did_not_come_is_explained(session: page_cells.Session) -
     (error,) = run(session, "import no_such_package")
     assert "its files did not come: no network" in error["traceback"][0]
     assert "labutils.figures" in error["traceback"][0]
+
+
+def test_figures_of_matplotlib_are_shown_and_closed(session: page_cells.Session) -> None:
+    code = "import matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.figure()\nx = 1"
+    outputs = run(session, code)
+    assert [one["output_type"] for one in outputs] == ["display_data", "display_data"]
+    assert all(one["data"]["image/png"].startswith("iVBOR") for one in outputs)
+    assert run(session, "plt.get_fignums()", 2)[0]["data"]["text/plain"] == "[]"

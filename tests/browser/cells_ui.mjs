@@ -62,6 +62,11 @@ await main(async (browser, site, name) => {
   seen.notRun = await ui.run(page, 2);
   await ui.edit(page, 1, "import matplotlib\n");
   seen.matplotlib = await ui.run(page, 1);
+  await page.route("https://cdn.jsdelivr.net/**", (route) => route.fulfill({ body: "forged" }));
+  seen.forged = await ui.run(page, 1);
+  await page.unroute("https://cdn.jsdelivr.net/**");
+  await ui.edit(page, 1, "raise MemoryError('no room')\n");
+  seen.memory = await ui.run(page, 1);
   await page.evaluate(() => (window.cameraLab.python.options.limitMs = 700));
   await ui.edit(page, 1, ENDLESS);
   seen.endless = await ui.run(page, 1);

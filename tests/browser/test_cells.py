@@ -96,3 +96,21 @@ def test_cells_that_a_page_cannot_run_are_few_and_say_why(visits: dict[str, Any]
     ]
     assert len(skipped) <= 5
     assert all(status.endswith("run the notebook.") for status in skipped)
+
+
+#: A cell that needs the simulator, rendering and pictures from the cells above it.
+FIREFOX_PAGE, FIREFOX_CELL = "book/step1_camera", 8
+
+
+def test_cells_run_in_firefox_too(
+    firefox: Callable[..., Any],
+    page_python: dict[str, Any],  # noqa: ARG001 - needed to run
+    file_site: str,
+    printed: dict[str, list[str]],
+) -> None:
+    seen = firefox("cells_firefox.mjs", file_site, FIREFOX_PAGE, FIREFOX_CELL)
+    assert seen["complaints"] == []
+    assert [cell["error"] for cell in seen["cells"]] == [""] * FIREFOX_CELL
+    assert {cell["result"] for cell in seen["cells"]} == {"ran"}
+    assert sum(cell["pictures"] for cell in seen["cells"]) >= 3
+    assert seen["cells"][-1]["text"] == [printed[FIREFOX_PAGE][FIREFOX_CELL - 1]]

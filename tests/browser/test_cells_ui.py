@@ -102,6 +102,14 @@ def test_matplotlib_without_a_network_is_one_sentence(seen: dict[str, Any]) -> N
     assert "Draw with labutils.figures, or run the notebook." in seen["matplotlib"]["error"]
 
 
+def test_matplotlib_that_is_not_the_official_one_is_not_run(seen: dict[str, Any]) -> None:
+    assert "is not the file it should be" in seen["forged"]["error"]
+
+
+def test_a_lack_of_memory_in_the_code_is_an_error_of_the_code(seen: dict[str, Any]) -> None:
+    assert "MemoryError: no room" in seen["memory"]["error"]
+
+
 def test_code_that_never_ends_is_stopped_and_what_it_printed_stays(seen: dict[str, Any]) -> None:
     assert "Stopped after 0.7 seconds" in seen["endless"]["error"]
     assert seen["endless"]["text"] == "began"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import gzip
 import io
 import re
 from collections.abc import Callable
@@ -12,9 +13,11 @@ from typing import Any
 import pytest
 from fontTools.ttLib import TTFont
 
+from live_cells import LAST_SCRIPTS, SCRIPTS
 from tests.helpers import browser
 
 PLAIN_BUDGET = 0.9e6  # bytes; a few seconds on a slow phone line
+CELLS_BUDGET = 15e3  # Python itself comes with the first click
 WIDGET_BUDGET = 2.3e6  # of which the widget manager alone is 0.9e6
 FONT = re.compile(r'font-family:"([^"]+)".*?base64,([^)]+)\)')
 
@@ -33,6 +36,17 @@ def test_a_first_visit_keeps_to_its_budget(visits: dict[str, Any], page: str) ->
     heaviest = sorted(visit["weights"].items(), key=lambda item: -item[1])[:6]
     budget = WIDGET_BUDGET if visit["views"] else PLAIN_BUDGET
     assert 0 < sum(visit["weights"].values()) <= budget, heaviest
+
+
+def test_cells_that_nobody_runs_cost_a_page_little(student_pages: Path) -> None:
+    static = student_pages / "_static"
+    files = [static / "python" / script for script in (*SCRIPTS, *LAST_SCRIPTS)]
+    files.append(static / "cells.css")
+    page = (student_pages / "book" / "step1_camera.html").read_text(encoding="utf-8")
+    data = re.search(r'<script[^>]*id="python-data">.*?</script>', page, re.DOTALL)
+    assert data is not None
+    parts = [*(path.read_bytes() for path in files), data[0].encode()]
+    assert sum(len(gzip.compress(part, 9)) for part in parts) <= CELLS_BUDGET
 
 
 def test_every_icon_that_a_page_draws_is_in_its_font(
