@@ -117,7 +117,9 @@ class Session:
 def publish_figures() -> None:
     """Show the figures of Matplotlib that a cell has made, and close them, as notebooks do."""
     pyplot = sys.modules.get("matplotlib.pyplot")
-    for number in pyplot.get_fignums() if pyplot else ():
+    if pyplot is None:
+        return
+    for number in pyplot.get_fignums():
         buffer = io.BytesIO()
         pyplot.figure(number).savefig(buffer, format="png", bbox_inches="tight")
         pyplot.close(number)

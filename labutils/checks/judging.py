@@ -55,7 +55,7 @@ def judge(table: CheckTable, function: object) -> Verdict:
     assert callable(function)  # noqa: S101 - the first thing that find_call_problem asks for
     try:
         if table.needs_mujoco and not _has_mujoco():
-            text = "This exercise needs MuJoCo, which this Python does not have (no browser does)."
+            text = "This exercise needs MuJoCo, which this Python does not have: pip install mujoco."
             advice = "Open the page as a notebook, with its launch button or on your own computer."
             return Verdict(
                 table.name, "not checked", paragraphs=(text, advice, NOT_YOURS), link=table.section

@@ -25,7 +25,7 @@ try {
   );
   const cells = await page.$$eval(".cell.is-live", (all) =>
     all.map((one) => ({
-      result: one.dataset.result ?? "",
+      result: /** @type {HTMLElement} */ (one).dataset.result ?? "",
       error: one.querySelector(".cell-error")?.textContent ?? "",
       pictures: one.querySelectorAll(".cell-yours > img, .cell-yours > .cell-html > svg").length,
       text: [...one.querySelectorAll(".cell-yours > .cell-text")].map((p) => p.textContent),
