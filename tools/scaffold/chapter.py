@@ -120,19 +120,17 @@ def _add_row(plan: Plan, chapter: Chapter, chapters: tuple[Chapter, ...]) -> Non
 
 
 def _add_to_contents(plan: Plan, chapter: Chapter, root: Path) -> None:
-    """Plan the two lines of the contents, in the order of the registry."""
+    """Plan the lines of the contents: Next leads from a chapter to its exercises, and on."""
     taught = list_taught(root)
     before = [one for one in taught if one.kind == REQUIRED or chapter.kind == EXTENSION][-1]
     entries = list_entries(read_toc(root))
-    line = f"  - file: {chapter.exercises}\n"
-    plan.insert(TOC, line, after=f"  - file: {before.exercises}")
-    line = f"  - file: {chapter.page}\n"
-    if before.kind == chapter.kind:
-        plan.insert(TOC, line, after=f"  - file: {before.page}")
+    lines = f"  - file: {chapter.page}\n  - file: {chapter.exercises}\n"
+    if before.kind == chapter.kind:  # the exercises of a chapter follow it
+        plan.insert(TOC, lines, after=f"  - file: {before.exercises}")
     else:  # the first extension opens a part of its own, after the whole part of the lab
         caption = next(entry.caption for entry in entries if entry.page == before.page)
         last = [entry.page for entry in entries if entry.caption == caption][-1]
-        part = f"- caption: {PART}\n  chapters:\n{line}"
+        part = f"- caption: {PART}\n  chapters:\n{lines}"
         plan.insert(TOC, part, after=f"  - file: {last}")
 
 
