@@ -46,7 +46,8 @@
     wantedBytes += assets.countBytes(part);
     return assets.loadPart(part, (bytes) => {
       loadedBytes += bytes;
-      sayLoading(`Loading Python: ${megabytes(loadedBytes)} of ${megabytes(wantedBytes)} MB`);
+      const share = `${megabytes(loadedBytes)} of ${megabytes(wantedBytes)} MB`;
+      sayLoading(loadedBytes < wantedBytes ? `Loading Python: ${share}` : "Starting Python");
     });
   }
 
