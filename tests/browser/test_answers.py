@@ -17,8 +17,7 @@ from content.chapters import get_chapter
 from solutions import load_exercises
 from tests.helpers.answers import FOLDER, RIGHT, load_answers
 
-ANSWERED = RIGHT
-CHAPTERS = sorted({load_exercises()[name].chapter for _, name in ANSWERED})
+CHAPTERS = sorted({load_exercises()[name].chapter for _, name in RIGHT})
 
 #: A run in the page ends after 20 s, so each has some answers only: fewer where one takes long.
 MANY, FEW = 12, 2
@@ -30,8 +29,9 @@ zipfile.ZipFile(io.BytesIO(base64.b64decode("{answers}"))).extractall("/tmp/answ
 sys.path.insert(0, "/tmp/answers")
 print("ready")
 """
+# what names the simulator makes the page load it
 JUDGE = """
-import contextlib, io
+import contextlib, io, mujoco
 from importlib import import_module
 from labutils.checks import judge
 from labutils.checks.table import load_table
@@ -49,7 +49,7 @@ print("judged", count, "refused", refused)
 def pack_answers() -> str:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for folder, name in ANSWERED:
+        for folder, name in RIGHT:
             archive.write(FOLDER / folder / f"{name}.py", f"{folder}/{name}.py")
     return base64.b64encode(buffer.getvalue()).decode()
 
@@ -58,7 +58,7 @@ def list_runs(chapter: str) -> list[tuple[str, str, int]]:
     """List what to run: the set, the exercise and the first answer."""
     return [
         (folder, name, first)
-        for folder, name in ANSWERED
+        for folder, name in RIGHT
         if load_exercises()[name].chapter == chapter
         for first in range(0, len(load_answers(folder, name).ANSWERS), step(name))
     ]
