@@ -1,6 +1,6 @@
 """Gather the front-end files that the book carries inside itself.
 
-MathJax, require.js and the widget manager come from npm (see ``npm.py``); the anywidget loader
+MathJax, require.js, MiniSearch and the widget manager come from npm (see ``npm.py``); the anywidget loader
 comes from the Python package of the same name, so that both sides always agree. Everything goes to
 ``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
 
@@ -48,6 +48,8 @@ FILES = (
         "mathjax",
     ),
     ("mathjax", "", ("LICENSE",), "mathjax"),
+    ("minisearch", "dist/umd", ("index.js",), "minisearch"),
+    ("minisearch", "", ("LICENSE.txt",), "minisearch"),
 )
 
 
