@@ -6,12 +6,15 @@ opened from a file. Here the search page alone loads an index (``search_index.py
 which marks on the page what was searched for.
 """
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from sphinx.application import Sphinx
-from sphinx.builders.html import StandaloneHTMLBuilder
+
+if TYPE_CHECKING:
+    from sphinx.builders.html import StandaloneHTMLBuilder
 
 PAGE = "search"
 # in this order: what comes later finds what came before
@@ -19,6 +22,9 @@ SCRIPTS = ("minisearch/index.js", "search_index.js", "search_engine.js", "search
 MARKS = "search_marks.js"
 #: What Sphinx brings for its own search.
 SPHINX_FILES = ("searchtools.js", "language_data.js", "sphinx_highlight.js")
+TAGS = re.compile(
+    r'\s*<script src="[^"]*(?:_static/searchtools|_static/language_data|searchindex)\.js"></script>'
+)
 
 
 def switch_off(app: Sphinx) -> None:
@@ -50,11 +56,15 @@ def _belongs_to_sphinx(script: object) -> bool:
 
 
 def drop_files(app: Sphinx, exception: Exception | None) -> None:
-    """Remove what Sphinx has copied for its own search."""
+    """Remove what Sphinx has copied for its own search, and the tags that the theme has written."""
     if exception or app.builder.name != "html":
         return
     for name in SPHINX_FILES:
         Path(app.outdir, "_static", name).unlink(missing_ok=True)
+    for path in Path(app.outdir).rglob("*.html"):
+        html = path.read_text(encoding="utf-8")
+        if (lean := TAGS.sub("", html)) != html:
+            path.write_text(lean, encoding="utf-8")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -223,21 +223,20 @@ interface FoundWord {
   start: number;
   end: number;
 }
+interface Answer {
+  pages: FoundPage[]; // best first
+  corrected: Map<string, string[]>; // unknown words as typed, and what they may mean
+}
 interface SearchEngine {
   cutExcerpt(found: FoundSection): { text: string; isMarked: boolean }[];
-  findUnknown(query: string): string[];
-  findWords(text: string, words: Set<string>): FoundWord[];
   listForms(page: FoundPage): string[];
-  search(query: string): FoundPage[];
+  search(query: string): Answer;
 }
 
 interface CameraLab {
   searchIndex?: SearchIndex;
   searchEngine: {
-    makeEngine(
-      index: SearchIndex,
-      MiniSearch: typeof import("minisearch").default,
-    ): SearchEngine;
+    makeEngine(index: SearchIndex, MiniSearch: typeof import("minisearch").default): SearchEngine;
     splitWords(text: string, index: SearchIndex): FoundWord[];
   };
   elements: {

@@ -9,8 +9,10 @@
   // Letters that may be wrong in a word that the book does not know, by its length: of a shorter one
   // none, or it would be another word; of a longer one two, as two exchanged letters count.
   const LETTERS_WRONG = [0, 0, 0, 0, 1, 2];
+  const NEAREST = 3; // words that may be meant, if they are equally near
   const NEXT_SECTIONS = [1, 0.25, 0.1]; // what the best sections of a page add to it
   const SECTIONS_SHOWN = 3;
+  const WEAKEST = 0.04; // of the best page: what says one of many words in passing is no result
   const EXCERPT = 200; // characters
   const BEFORE = 60; // of them before the first word found
 
@@ -29,7 +31,7 @@
   }
 
   /**
-   * Make a search from the index; `search` returns the pages, best first.
+   * Make a search from the index.
    * @param {SearchIndex} index
    * @param {typeof import("minisearch").default} MiniSearch
    */
@@ -43,23 +45,87 @@
     const isBeginning = (/** @type {string} */ word) => known.some((one) => one.startsWith(word));
 
     /**
+     * What to look for: for a word that the book knows its stem, else the words spelled like it.
      * @param {string} query
-     * @returns {FoundPage[]}
+     */
+    function read(query) {
+      /** @type {Map<string, string>} */
+      const typedOf = new Map();
+      const corrected = new Map();
+      for (const { word, start, end } of splitWords(query, index)) {
+        const typed = query.slice(start, end);
+        const near = isBeginning(word) ? [] : findNearest(typed.toLowerCase());
+        if (!isBeginning(word)) corrected.set(typed, near);
+        for (const one of near) typedOf.set(index.stem(one), typed);
+        if (!near.length) typedOf.set(word, typed);
+      }
+      return { typedOf, corrected };
+    }
+
+    /**
+     * @param {string} query
+     * @returns {Answer}
      */
     function search(query) {
-      const asked = new Set(splitWords(query, index).map(({ word }) => word));
-      const results = engine.search(query, {
+      const { typedOf, corrected } = read(query);
+      const count = new Set(typedOf.values()).size;
+      const results = engine.search([...typedOf.keys()].join(" "), {
         boost: BOOST,
+        tokenize: (text) => text.split(" "),
         prefix: (word) => word.length >= SHORTEST_BEGINNING,
-        // a word that the book knows is no typing error
-        fuzzy: (word) => !isBeginning(word) && (LETTERS_WRONG[word.length] ?? LETTERS_WRONG.at(-1)),
         boostDocument: (place) => index.sections[place].weight,
       });
       const found = results.map(({ id, score, terms, queryTerms }) => {
-        const share = new Set(queryTerms).size / asked.size;
+        const share = new Set(queryTerms.map((term) => typedOf.get(term))).size / count;
         return { section: index.sections[id], score: score * share, words: new Set(terms) };
       });
-      return groupByPage(found.sort((one, other) => other.score - one.score));
+      const pages = groupByPage(found.sort((one, other) => other.score - one.score));
+      return { pages: raiseDefinition(pages, new Set(typedOf.keys())), corrected };
+    }
+
+    /**
+     * Move the glossary up to the second place where it defines just what was asked for.
+     * @param {FoundPage[]} pages
+     * @param {Set<string>} asked
+     */
+    function raiseDefinition(pages, asked) {
+      const place = pages.findIndex(({ kind }) => kind === "glossary");
+      if (place < 2) return pages;
+      const isAsked = (/** @type {FoundSection} */ { section }) => {
+        const words = new Set(splitWords(section.heading, index).map(({ word }) => word));
+        return words.size === asked.size && [...words].every((word) => asked.has(word));
+      };
+      if (!pages[place].sections.some(isAsked)) return pages;
+      const [best, ...others] = pages.toSpliced(place, 1);
+      return [best, pages[place], ...others];
+    }
+
+    /** @type {import("minisearch").default | null} */
+    let speller = null;
+
+    /**
+     * Words of the book that are spelled like an unknown one.
+     * @param {string} typed
+     * @returns {string[]}
+     */
+    function findNearest(typed) {
+      speller ??= makeSpeller();
+      const fuzzy = LETTERS_WRONG[typed.length] ?? LETTERS_WRONG.at(-1);
+      const near = fuzzy ? speller.search(typed, { fuzzy }) : [];
+      return near
+        .filter(({ score }) => score > near[0].score - 1e-9)
+        .slice(0, NEAREST)
+        .map(({ id }) => id);
+    }
+
+    /** An index of whole words; made for the first word that is unknown, as most are known. */
+    function makeSpeller() {
+      const words = new Set();
+      for (const { heading, text } of index.sections)
+        for (const [word] of `${heading} ${text}`.toLowerCase().matchAll(WORD)) words.add(word);
+      const made = new MiniSearch({ fields: ["id"], tokenize: (text) => [text] });
+      made.addAll([...words].map((id) => ({ id })));
+      return made;
     }
 
     /** @param {FoundSection[]} found */
@@ -73,7 +139,8 @@
         if (group.sections.length < SECTIONS_SHOWN) group.sections.push(one);
         pages.set(page, group);
       }
-      return [...pages.values()].sort((one, other) => other.score - one.score);
+      const ordered = [...pages.values()].sort((one, other) => other.score - one.score);
+      return ordered.filter(({ score }) => score >= WEAKEST * ordered[0].score);
     }
 
     /**
@@ -93,7 +160,10 @@
         pieces.push({ text: text.slice(place.start, place.end), isMarked: true });
         from = place.end;
       }
-      pieces.push({ text: text.slice(from, end) + (end < text.length ? " …" : ""), isMarked: false });
+      pieces.push({
+        text: text.slice(from, end) + (end < text.length ? " …" : ""),
+        isMarked: false,
+      });
       return pieces.filter((piece) => piece.text);
     }
 
@@ -105,16 +175,6 @@
     /** @param {string} text @param {Set<string>} words */
     function hasWord(text, words) {
       return findWords(text, words).length > 0;
-    }
-
-    /**
-     * The words of a query that the book does not have, as they were typed.
-     * @param {string} query
-     */
-    function findUnknown(query) {
-      return splitWords(query, index)
-        .filter(({ word }) => !isBeginning(word))
-        .map(({ start, end }) => query.slice(start, end));
     }
 
     /**
@@ -130,7 +190,7 @@
       return [...new Set(forms)];
     }
 
-    return { cutExcerpt, findUnknown, findWords, listForms, search };
+    return { cutExcerpt, listForms, search };
   }
 
   /**
@@ -141,7 +201,9 @@
   function chooseStart(text, places) {
     let best = { count: 0, start: 0 };
     for (const { start } of places) {
-      const near = places.filter((one) => one.start >= start && one.end <= start + EXCERPT - BEFORE);
+      const near = places.filter(
+        (one) => one.start >= start && one.end <= start + EXCERPT - BEFORE,
+      );
       // of two places with the same words the one where they are said more often
       const count = new Set(near.map(({ word }) => word)).size + near.length / 100;
       if (count > best.count) best = { count, start };

@@ -3,7 +3,7 @@
 (() => {
   // what scripts read or draw, and what is not text
   const LEFT_ALONE =
-    "script, style, textarea, button, select, svg, .math, .widget-subarea, .headerlink, mark";
+    "script, style, nav, textarea, button, select, svg, .math, .widget-subarea, .headerlink, mark";
   const words = new URLSearchParams(location.search).get("highlight")?.split(/\s+/) ?? [];
   const wanted = words.filter((word) => /^[\p{L}\p{N}]+$/u.test(word));
   const article = document.querySelector("article.bd-article");

@@ -12,12 +12,11 @@
     reference: "Reference",
   };
 
-  const field = /** @type {HTMLInputElement | null} */ (
-    document.querySelector(".bd-search-container form.bd-search input")
-  );
-  const status = document.getElementById("search-status");
-  const results = document.getElementById("search-results");
-  if (!field || !status || !results) return;
+  const get = (/** @type {string} */ selector) =>
+    /** @type {HTMLElement} */ (document.querySelector(selector));
+  const field = /** @type {HTMLInputElement} */ (get(".bd-search-container form.bd-search input"));
+  const status = get("#search-status");
+  const results = get("#search-results");
   const index = window.cameraLab?.searchIndex;
   if (!index || !window.MiniSearch) {
     status.textContent = "The index of this book did not load. Reload the page to try again.";
@@ -32,21 +31,25 @@
     if (query === shown) return;
     shown = query;
     remember(query);
-    const pages = query ? engine.search(query) : [];
-    status.textContent = query ? describe(query, pages) : "";
-    draw(pages, PAGES_SHOWN);
+    const answer = engine.search(query);
+    status.textContent = query ? describe(query, answer) : "";
+    draw(answer.pages, PAGES_SHOWN);
   }
 
   /**
    * @param {string} query
-   * @param {FoundPage[]} pages
+   * @param {Answer} answer
    */
-  function describe(query, pages) {
-    const count = pages.length === 1 ? "1 page" : `${pages.length} pages`;
-    const unknown = engine.findUnknown(query).map((word) => `“${word}”`);
+  function describe(query, { pages, corrected }) {
     if (!pages.length) return `Nothing found for “${query}”. Try other words, or fewer.`;
-    if (!unknown.length) return `${count} found for “${query}”, best first.`;
-    return `${count} found. The book does not say ${unknown.join(", ")}: these words are close.`;
+    const count = pages.length === 1 ? "1 page" : `${pages.length} pages`;
+    const notes = [...corrected].map(([typed, near]) => {
+      const meant = near.map((word) => `“${word}”`).join(" or ");
+      return meant
+        ? `“${typed}” is not in the book, ${meant} is.`
+        : `“${typed}” is not in the book.`;
+    });
+    return [`${count} found for “${query}”, best first.`, ...notes].join(" ");
   }
 
   /** Keep the query in the address, for Back and for a bookmark. @param {string} query */
