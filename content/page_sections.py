@@ -22,6 +22,7 @@ SKIPPED_CLASSES = {
     "admonition-title",  # "Predict" is no part of a sentence
     "caption-number",
     "cell_output",
+    "exercise-hint",  # says how to ask for one, on every exercise alike
     "headerlink",
     "page-stamp",
     "quiz-answers",

@@ -1,8 +1,8 @@
 """Write what the search page looks in: every section of the book, and an index of its words.
 
 Both are one classic script, because a page that was opened from a file may fetch nothing. The
-index has the form in which MiniSearch keeps its own, so that a browser only loads it. What makes a
-word stands here (`split_words`) and in ``search_engine.js``; a test compares the two.
+index has the form in which MiniSearch keeps its own, so that a browser only loads it. Words are
+kept by their stems; the script lists the stem of every word, so no browser has to find it.
 """
 
 import hashlib
@@ -52,8 +52,9 @@ WORD = re.compile(r"[^\W_]+")
 STOP_WORDS = frozenset(
     WORD.findall("""
     a about am an and any are as at be been but by can could did do does for from get had has have
-    how i if in into is it its may me my of on or our s shall should so than that the their then there
-    these they this those to us was we were what when where which who why will with would you your
+    how i if in into is it its may me my of on or our s shall should so than that the their then
+    there these they this those to us was we were what when where which who why will with would you
+    your
     """)
 )
 #: Other spellings of the words of this book, as a reader may type them.
@@ -101,14 +102,29 @@ def join_top(sections: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [top, *(one for one in sections[1:] if one not in about)]
 
 
+def split_letters(text: str) -> list[str]:
+    """Return the words of a text as they stand there, in small letters."""
+    return WORD.findall(text.lower())
+
+
+def find_stem(word: str) -> str:
+    """Return the stem of a word in small letters, whatever its spelling."""
+    word = SPELLINGS.get(word, word)
+    return stemmer.stem(word) if len(word) >= SHORTEST_STEMMED else word
+
+
 def split_words(text: str) -> list[str]:
-    """Return the words of a text that count, as the index knows them."""
-    words = (SPELLINGS.get(word, word) for word in WORD.findall(text.lower()))
-    return [
-        stemmer.stem(word) if len(word) >= SHORTEST_STEMMED else word
-        for word in words
-        if word not in STOP_WORDS
-    ]
+    """Return the stems of the words of a text that count, as the index knows them."""
+    return [find_stem(word) for word in split_letters(text) if word not in STOP_WORDS]
+
+
+def list_stems(records: list[dict[str, str]]) -> dict[str, str]:
+    """Return the stems of all words, and of other spellings, where they are not the words."""
+    words = {
+        word for record in records for field in FIELDS for word in split_letters(record[field])
+    }
+    stems = {word: find_stem(word) for word in sorted(words.union(SPELLINGS) - STOP_WORDS)}
+    return {word: stem for word, stem in stems.items() if word != stem}
 
 
 def make_index(records: list[dict[str, str]]) -> dict[str, Any]:
@@ -162,17 +178,12 @@ def make_script(pages: Iterable[tuple[str, str]]) -> str:
         "fields": FIELDS,
         "pages": listed,
         "sections": sections,
-        "spellings": SPELLINGS,
+        "stems": list_stems(records),
         "stopWords": sorted(STOP_WORDS),
         "words": make_index(records),
     }
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
-    return (
-        f"(() => {{\n{stemmer.js_stemmer_code.strip()}\n"
-        f"const stemmer = new Stemmer();\nconst index = {text};\n"
-        f"index.stem = (word) => word.length < {SHORTEST_STEMMED} ? word : stemmer.stemWord(word);\n"
-        "window.cameraLab = { ...window.cameraLab, searchIndex: index };\n})();\n"
-    )
+    return f"window.cameraLab = {{ ...window.cameraLab, searchIndex: {text} }};\n"
 
 
 def write_index(app: Sphinx, exception: Exception | None) -> None:

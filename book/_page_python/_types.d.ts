@@ -204,10 +204,9 @@ interface SearchIndex {
   fields: string[];
   pages: SearchPage[];
   sections: SearchSection[];
-  spellings: Record<string, string>;
+  stems: Record<string, string>;
   stopWords: string[];
   words: import("minisearch").AsPlainObject;
-  stem(word: string): string;
 }
 interface FoundSection {
   section: SearchSection;
@@ -219,7 +218,8 @@ interface FoundPage extends SearchPage {
   sections: FoundSection[];
 }
 interface FoundWord {
-  word: string;
+  typed: string; // in small letters
+  stem: string;
   start: number;
   end: number;
 }
@@ -231,13 +231,13 @@ interface SearchEngine {
   cutExcerpt(found: FoundSection): { text: string; isMarked: boolean }[];
   listForms(page: FoundPage): string[];
   search(query: string): Answer;
+  splitWords(text: string): FoundWord[];
 }
 
 interface CameraLab {
   searchIndex?: SearchIndex;
   searchEngine: {
     makeEngine(index: SearchIndex, MiniSearch: typeof import("minisearch").default): SearchEngine;
-    splitWords(text: string, index: SearchIndex): FoundWord[];
   };
   elements: {
     make<Tag extends keyof HTMLElementTagNameMap>(

@@ -17,49 +17,60 @@
   const BEFORE = 60; // of them before the first word found
 
   /**
-   * @param {string} text
-   * @param {SearchIndex} index
-   */
-  function splitWords(text, index) {
-    return [...text.matchAll(WORD)].flatMap((match) => {
-      const typed = match[0].toLowerCase();
-      const word = index.spellings[typed] ?? typed;
-      return index.stopWords.includes(word)
-        ? []
-        : [{ word: index.stem(word), start: match.index, end: match.index + match[0].length }];
-    });
-  }
-
-  /**
    * Make a search from the index.
    * @param {SearchIndex} index
    * @param {typeof import("minisearch").default} MiniSearch
    */
   function makeEngine(index, MiniSearch) {
-    const engine = MiniSearch.loadJS(index.words, {
-      fields: index.fields,
-      tokenize: (text) => splitWords(text, index).map(({ word }) => word),
-      processTerm: (word) => word,
-    });
-    const known = index.words.index.map(([word]) => word);
-    const isBeginning = (/** @type {string} */ word) => known.some((one) => one.startsWith(word));
+    const engine = MiniSearch.loadJS(index.words, { fields: index.fields });
+    const stems = new Map(Object.entries(index.stems)); // of the words that are not their own stem
+    const stopWords = new Set(index.stopWords);
+    const known = new Set([...index.words.index.map(([stem]) => stem), ...stems.keys()]);
 
     /**
-     * What to look for: for a word that the book knows its stem, else the words spelled like it.
+     * The words of a text that count, by their stems.
+     * @param {string} text
+     * @returns {FoundWord[]}
+     */
+    function splitWords(text) {
+      return [...text.matchAll(WORD)].flatMap((match) => {
+        const typed = match[0].toLowerCase();
+        const end = match.index + typed.length;
+        return stopWords.has(typed)
+          ? []
+          : [{ typed, stem: getStem(typed), start: match.index, end }];
+      });
+    }
+
+    /** @param {string} word */
+    function getStem(word) {
+      return stems.get(word) ?? word;
+    }
+
+    /**
+     * What to look for: the stem of a word of the book, else of words that begin with it, else of
+     * words that are spelled like it.
      * @param {string} query
      */
     function read(query) {
       /** @type {Map<string, string>} */
       const typedOf = new Map();
       const corrected = new Map();
-      for (const { word, start, end } of splitWords(query, index)) {
-        const typed = query.slice(start, end);
-        const near = isBeginning(word) ? [] : findNearest(typed.toLowerCase());
-        if (!isBeginning(word)) corrected.set(typed, near);
-        for (const one of near) typedOf.set(index.stem(one), typed);
-        if (!near.length) typedOf.set(word, typed);
+      for (const { typed, stem } of splitWords(query)) {
+        let meant = known.has(typed) ? [typed] : listBeginnings(typed);
+        if (!meant.length) {
+          meant = findNearest(typed);
+          corrected.set(typed, meant);
+        }
+        for (const one of meant.length ? meant : [stem]) typedOf.set(getStem(one), typed);
       }
       return { typedOf, corrected };
+    }
+
+    /** @param {string} typed */
+    function listBeginnings(typed) {
+      if (typed.length < SHORTEST_BEGINNING) return [];
+      return [...known].filter((word) => word.startsWith(typed));
     }
 
     /**
@@ -72,6 +83,7 @@
       const results = engine.search([...typedOf.keys()].join(" "), {
         boost: BOOST,
         tokenize: (text) => text.split(" "),
+        processTerm: (word) => word,
         prefix: (word) => word.length >= SHORTEST_BEGINNING,
         boostDocument: (place) => index.sections[place].weight,
       });
@@ -92,7 +104,7 @@
       const place = pages.findIndex(({ kind }) => kind === "glossary");
       if (place < 2) return pages;
       const isAsked = (/** @type {FoundSection} */ { section }) => {
-        const words = new Set(splitWords(section.heading, index).map(({ word }) => word));
+        const words = new Set(splitWords(section.heading).map(({ stem }) => stem));
         return words.size === asked.size && [...words].every((word) => asked.has(word));
       };
       if (!pages[place].sections.some(isAsked)) return pages;
@@ -120,11 +132,8 @@
 
     /** An index of whole words; made for the first word that is unknown, as most are known. */
     function makeSpeller() {
-      const words = new Set();
-      for (const { heading, text } of index.sections)
-        for (const [word] of `${heading} ${text}`.toLowerCase().matchAll(WORD)) words.add(word);
       const made = new MiniSearch({ fields: ["id"], tokenize: (text) => [text] });
-      made.addAll([...words].map((id) => ({ id })));
+      made.addAll([...known].map((id) => ({ id })));
       return made;
     }
 
@@ -148,7 +157,9 @@
      * @param {FoundSection} found
      */
     function cutExcerpt({ section, words }) {
-      const text = hasWord(section.text, words) || !section.code ? section.text : section.code;
+      // code is shown only where nothing else says why the section was found
+      const isSaid = [section.heading, section.text].some((text) => hasWord(text, words));
+      const text = isSaid || !hasWord(section.code, words) ? section.text : section.code;
       const places = findWords(text, words);
       const start = chooseStart(text, places);
       const end = snapEnd(text, start + EXCERPT);
@@ -169,7 +180,7 @@
 
     /** @param {string} text @param {Set<string>} words */
     function findWords(text, words) {
-      return splitWords(text, index).filter(({ word }) => words.has(word));
+      return splitWords(text).filter(({ stem }) => words.has(stem));
     }
 
     /** @param {string} text @param {Set<string>} words */
@@ -190,13 +201,13 @@
       return [...new Set(forms)];
     }
 
-    return { cutExcerpt, listForms, search };
+    return { cutExcerpt, listForms, search, splitWords };
   }
 
   /**
    * Where an excerpt begins: at a word, before the place with most different words.
    * @param {string} text
-   * @param {{ word: string, start: number, end: number }[]} places
+   * @param {FoundWord[]} places
    */
   function chooseStart(text, places) {
     let best = { count: 0, start: 0 };
@@ -205,7 +216,7 @@
         (one) => one.start >= start && one.end <= start + EXCERPT - BEFORE,
       );
       // of two places with the same words the one where they are said more often
-      const count = new Set(near.map(({ word }) => word)).size + near.length / 100;
+      const count = new Set(near.map(({ stem }) => stem)).size + near.length / 100;
       if (count > best.count) best = { count, start };
     }
     if (best.start <= BEFORE) return 0;
@@ -222,5 +233,5 @@
     return space > end - BEFORE ? space : end;
   }
 
-  window.cameraLab = { ...window.cameraLab, searchEngine: { makeEngine, splitWords } };
+  window.cameraLab = { ...window.cameraLab, searchEngine: { makeEngine } };
 })();

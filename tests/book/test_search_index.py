@@ -193,7 +193,7 @@ def test_python_and_javascript_split_every_text_of_the_book_alike(site: str) -> 
     ]
     assert len(texts) > 500
     code = """
-    const split = (text) => searchEngine.splitWords(text, searchIndex).map(({ word }) => word);
+    const split = (text) => engine.splitWords(text).map(({ stem }) => stem);
     console.log(JSON.stringify(queries.map(split)));
     """
     found = json.loads(run_node(ENGINE + code, given=json.dumps([site, *texts])))
