@@ -1,7 +1,7 @@
 """Leave out what the theme brings and no page uses.
 
 Files: source maps, translations, the fonts and the script that ``icons.py`` replaces.
-Tags: the search index, which only the search page reads, and the settings of Thebe.
+Tags: the settings of Thebe.
 """
 
 import re
@@ -24,9 +24,6 @@ THEBE = re.compile(
     r'\s*<script type="text/x-thebe-config">.*?</script>\s*<script>kernelName = [^<]*</script>',
     re.DOTALL,
 )
-SEARCH = re.compile(
-    r'\s*<script src="[^"]*(?:_static/searchtools|_static/language_data|searchindex)\.js"></script>'
-)
 
 
 def drop_tags(
@@ -40,16 +37,12 @@ def drop_tags(
 
 
 def drop_files(app: Sphinx, exception: Exception | None) -> None:
-    """Remove what the theme has copied, and the search index from pages that do not search."""
+    """Remove what the theme has copied."""
     if exception or app.builder.name != "html":
         return
     for pattern in UNUSED:
         for path in Path(app.outdir, "_static").glob(pattern):
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-    for path in Path(app.outdir).rglob("*.html"):
-        html = path.read_text(encoding="utf-8")
-        if path.name != "search.html" and (lean := SEARCH.sub("", html)) != html:
-            path.write_text(lean, encoding="utf-8")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

@@ -20,18 +20,6 @@ def add_vendor_folder(app: Sphinx) -> None:
     app.config.html_static_path.append(str(Path(app.srcdir) / VENDOR))
 
 
-def search_without_fetch(
-    app: Sphinx, pagename: str, _templatename: str, _context: dict[str, Any], _doctree: object
-) -> None:
-    """Let the search page list titles only, where it is opened from a file.
-
-    Its excerpts are fetched from the pages, which browsers forbid to a file.
-    """
-    if pagename == "search":
-        condition = 'location.protocol !== "file:"'
-        app.add_js_file(None, body=f"DOCUMENTATION_OPTIONS.SHOW_SEARCH_SUMMARY &&= {condition};")
-
-
 def drop_thebe(
     _app: Sphinx, _pagename: str, _templatename: str, context: dict[str, Any], _doctree: object
 ) -> None:
@@ -54,7 +42,6 @@ def _belongs_to_thebe(script: object) -> bool:
 def setup(app: Sphinx) -> dict[str, Any]:
     """Connect the hooks to Sphinx."""
     app.connect("builder-inited", add_vendor_folder)
-    app.connect("html-page-context", search_without_fetch)
     # after the theme (default priority 500) has added its scripts
     app.connect("html-page-context", drop_thebe, priority=900)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}

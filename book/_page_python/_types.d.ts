@@ -184,7 +184,61 @@ interface EditableCell extends SessionCell {
   reset(): void;
 }
 
+/** One section of the book; see book/_ext/search_index.py. */
+interface SearchSection {
+  page: number; // its place in `pages`
+  anchor: string;
+  trail: string[] | null; // headings between it and the page; null for the top of a page
+  heading: string;
+  text: string;
+  code: string;
+  weight: number;
+}
+type SearchKind = "chapter" | "exercise" | "glossary" | "help" | "reading" | "reference";
+interface SearchPage {
+  name: string;
+  title: string;
+  kind: SearchKind;
+}
+interface SearchIndex {
+  fields: string[];
+  pages: SearchPage[];
+  sections: SearchSection[];
+  stems: Record<string, string>;
+  stopWords: string[];
+  words: import("minisearch").AsPlainObject;
+}
+interface FoundSection {
+  section: SearchSection;
+  score: number;
+  words: Set<string>; // those found, as the index has them
+}
+interface FoundPage extends SearchPage {
+  score: number;
+  sections: FoundSection[];
+}
+interface FoundWord {
+  typed: string; // in small letters
+  stem: string;
+  start: number;
+  end: number;
+}
+interface Answer {
+  pages: FoundPage[]; // best first
+  corrected: Map<string, string[]>; // unknown words as typed, and what they may mean
+}
+interface SearchEngine {
+  cutExcerpt(found: FoundSection): { text: string; isMarked: boolean }[];
+  listForms(page: FoundPage): string[];
+  search(query: string): Answer;
+  splitWords(text: string): FoundWord[];
+}
+
 interface CameraLab {
+  searchIndex?: SearchIndex;
+  searchEngine: {
+    makeEngine(index: SearchIndex, MiniSearch: typeof import("minisearch").default): SearchEngine;
+  };
   elements: {
     make<Tag extends keyof HTMLElementTagNameMap>(
       tag: Tag,
@@ -281,6 +335,7 @@ interface CodeEditor {
 }
 interface Window {
   cameraLab: CameraLab;
+  MiniSearch?: typeof import("minisearch").default;
   cameraLabAsset(name: string, piece: number, text: string): void;
   cameraLabEditor?: {
     createEditor(options: {

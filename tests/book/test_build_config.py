@@ -127,11 +127,12 @@ def test_every_style_sheet_is_loaded(config: dict[str, Any]) -> None:
     assert sheets == set(config["sphinx"]["config"]["html_css_files"])
 
 
-def test_every_script_is_loaded(config: dict[str, Any]) -> None:
+def test_every_script_is_loaded(config: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    search = load("book/_ext/search_page.py", monkeypatch)
     scripts = {path.name for path in (ROOT / "book" / "_static").glob("*.js")}
     options = config["sphinx"]["config"]
     named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
-    assert scripts <= named
+    assert scripts <= named | {*search.SCRIPTS, search.MARKS}
 
 
 def test_strip_marks_the_page_and_links_the_others(monkeypatch: pytest.MonkeyPatch) -> None:

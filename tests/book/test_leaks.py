@@ -133,7 +133,7 @@ def make_arrays(name: str) -> bytes:
         ("book/page.html", make_page(SOLUTION)),
         ("_sources/page.md", SOLUTION.replace("    ", "\t").encode()),
         ("_sources/page.ipynb", make_notebook(SOLUTION)),
-        ("searchindex.js", b'Search.setIndex({"terms":{"_spread_labels":3}})'),
+        ("search_index.js", b'{"index":[["_spread_labels",{"3":{"0":1}}]]}'),
         ("_static/quiz.json", b'{"feedback": "see _spread_labels"}'),
         ("lab.zip", make_archive("a/b.py", SOLUTION)),
         ("lab.zip", make_archive("a/table.npz", make_arrays("_spread_labels"))),
@@ -242,6 +242,6 @@ def test_the_built_book_holds_no_leak(secrets: list[Secret]) -> None:
     documents = list(read_documents(HTML))
     kinds = {name.rsplit(".", 1)[-1] for name, _ in documents}
     assert {"html", "ipynb", "js", "inv"} <= kinds
-    assert "searchindex.js" in {name for name, _ in documents}
+    assert "_static/search_index.js" in {name for name, _ in documents}
     assert find_leaks(secrets, documents) == []
     assert not list(HTML.rglob("*solutions*"))

@@ -208,21 +208,12 @@ def test_only_pictures_of_cells_are_converted(uri: str, expected: bool) -> None:
     assert converter.match(node) is expected
 
 
-def test_only_the_search_page_reads_the_search_index(tmp_path: Path) -> None:
+def test_files_that_no_page_uses_leave_the_site(tmp_path: Path) -> None:
     hook = load("lean")
-    tags = (
-        '<script src="../_static/searchtools.js"></script>\n'
-        '<script src="../_static/language_data.js"></script>\n'
-        '<script src="../searchindex.js"></script>\n'
-    )
-    for name in ("search", "page"):
-        (tmp_path / f"{name}.html").write_text(tags)
     (tmp_path / "_static" / "locales" / "de").mkdir(parents=True)
     (tmp_path / "_static" / "sphinx-thebe.js").write_text("")
     (tmp_path / "_static" / "quiz.js").write_text("")
     hook.drop_files(SimpleNamespace(outdir=tmp_path, builder=SimpleNamespace(name="html")), None)
-    assert (tmp_path / "search.html").read_text() == tags
-    assert (tmp_path / "page.html").read_text().strip() == ""
     assert [path.name for path in (tmp_path / "_static").iterdir()] == ["quiz.js"]
 
 

@@ -1,16 +1,14 @@
-// node site.mjs SITE: uses what every page shares - theme switch, search, skip link, print - as
+// node site.mjs SITE: uses what every page shares - theme switch, skip link, print - as
 // a reader would, and prints what happened. test_site.py says what is right.
 
-import { close, main, newPage, openPage, settle } from "../../tools/browser.mjs";
+import { close, main, newPage, openPage } from "../../tools/browser.mjs";
 
 const PAGE = "book/step2_intrinsics";
 const PAGE_WITH_FOLDS = "book/conventions";
 const STORE_MS = 1000; // Chromium writes down a choice a moment later; no reader reloads sooner
-const WORD = "disparity"; // in the text of few pages, so that not every page is a result
 
 await main(async (browser, site) => ({
   theme: await switchTheme(browser, site),
-  search: await search(browser, site),
   skip: await skip(browser, site),
   paper: await putOnPaper(browser, site),
 }));
@@ -40,36 +38,6 @@ async function switchTheme(browser, site) {
   // leaving a page ends what it still loads, which is nobody's fault
   const lasting = [...complaints].filter((one) => !one.endsWith("net::ERR_ABORTED"));
   return { before, seen, after, reloaded, elsewhere, complaints: lasting };
-}
-
-/** Types a word into the sidebar's search, as a reader does, and follows the first result. */
-async function search(browser, site) {
-  const tab = await openPage(browser, site, PAGE);
-  const { page, complaints } = tab;
-  const field = page.locator("input[type=search]:visible").first();
-  if (!(await field.count()))
-    await page.click(".search-button__button:visible, .search-button-field:visible");
-  await field.fill(WORD);
-  await Promise.all([page.waitForURL(/search\.html/), field.press("Enter")]);
-  await page.waitForSelector("#search-results .search-summary");
-  const isDone = () => /finished/i.test(document.querySelector(".search-summary").textContent);
-  await page.waitForFunction(isDone);
-  const results = await page.$$eval("#search-results .search li > a", (all) =>
-    all.map((link) => link.href),
-  );
-  const excerpts = await page.$$eval("#search-results .context", (all) => all.length);
-  await page.click("#search-results .search li > a");
-  await settle(page);
-  const arrived = page.url().split("#")[0].slice(site.length);
-  const text = await page.locator("article").innerText();
-  await close(tab);
-  return {
-    results: results.map((link) => link.slice(site.length)),
-    excerpts,
-    arrived,
-    hasWord: text.toLowerCase().includes(WORD),
-    complaints: [...complaints],
-  };
 }
 
 /** Tab, Enter: the focus leaves the header for the content. */

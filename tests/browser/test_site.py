@@ -1,4 +1,4 @@
-"""What all pages share works, as a file and from a server: theme, search, skip link, print."""
+"""What all pages share works, as a file and from a server: theme, skip link, print."""
 
 from __future__ import annotations
 
@@ -27,15 +27,6 @@ def test_the_theme_switch_darkens_the_page_and_is_remembered(used: dict[str, Any
     assert theme["reloaded"] == theme["after"]
     assert theme["elsewhere"] == theme["after"]
     assert theme["complaints"] == []
-
-
-def test_search_finds_the_pages_that_hold_a_word(used: dict[str, Any]) -> None:
-    search = used["search"]
-    pages = {result.split("?")[0].split("#")[0] for result in search["results"]}
-    assert search["arrived"] in pages
-    assert search["hasWord"]
-    assert 0 < len(pages) < len(browser.names_of_pages())
-    assert search["complaints"] == []
 
 
 def test_the_first_stop_of_the_keyboard_skips_to_the_content(used: dict[str, Any]) -> None:

@@ -41,6 +41,7 @@ TEXT = {".html", ".js", ".json", ".md", ".txt", ".py", ".yml", ".toml", ".xml", 
 #: What the build takes from others: no text of ours.
 FOREIGN = (
     "_static/mathjax",
+    "_static/minisearch",
     "_static/widgets",
     "_static/vendor",
     "_static/scripts",

@@ -1,8 +1,8 @@
 """Gather the front-end files that the book carries inside itself.
 
-MathJax, require.js and the widget manager come from npm (see ``npm.py``); the anywidget loader
-comes from the Python package of the same name, so that both sides always agree. Everything goes to
-``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
+MathJax, require.js, MiniSearch and the widget manager come from npm (see ``npm.py``); the anywidget
+loader comes from the Python package of the same name, so that both sides always agree. Everything
+goes to ``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
 
 Only these packages are needed, not their dependencies: the browser bundles already contain them.
 
@@ -48,6 +48,8 @@ FILES = (
         "mathjax",
     ),
     ("mathjax", "", ("LICENSE",), "mathjax"),
+    ("minisearch", "dist/umd", ("index.js",), "minisearch"),
+    ("minisearch", "", ("LICENSE.txt",), "minisearch"),
 )
 
 
