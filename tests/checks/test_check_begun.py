@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linecache
 from collections.abc import Callable
 from functools import partial
 
@@ -9,6 +10,7 @@ import pytest
 
 from labutils.checks import judge
 from labutils.checks.begun import is_begun
+from labutils.checks.exceptions import explain
 from labutils.checks.table import load_table
 from labutils.checks.verdict import Verdict
 
@@ -17,7 +19,7 @@ NAME = "process_depth"
 
 def make_function(body: str) -> Callable[..., object]:
     names: dict[str, Callable[..., object]] = {}
-    exec(f"def {NAME}(depth_raw, near, far):\n    {body}\n", names)
+    exec(f"def {NAME}(depth_raw, near, far):\n    {body}\n", names)  # noqa: S102 - its purpose
     return names[NAME]
 
 
@@ -27,8 +29,15 @@ def judge_body(body: str) -> Verdict:
 
 @pytest.mark.parametrize(
     "body",
-    ["raise NotImplementedError", '"""Text."""\n    raise NotImplementedError', "pass", "..."]
-    + ['raise NotImplementedError("later")', "return None", '"""Text."""'],
+    [
+        "raise NotImplementedError",
+        '"""Text."""\n    raise NotImplementedError',
+        'raise NotImplementedError("later")',
+        "pass",
+        "...",
+        "return None",
+        '"""Text."""',
+    ],
 )
 def test_body_of_a_starter_is_not_begun(body: str) -> None:
     assert not is_begun(make_function(body))
@@ -40,8 +49,17 @@ def test_body_of_a_starter_is_not_begun(body: str) -> None:
 
 @pytest.mark.parametrize(
     "body",
-    ["depth = depth_raw", "depth_raw * near", "print('here')", "2 + near", "del far"]
-    + ["if near > far: pass", "def inner(): return far", "near", "[1 for _ in ()]"],
+    [
+        "depth = depth_raw",
+        "depth_raw * near",
+        "print('here')",
+        "2 + near",
+        "del far",
+        "if near > far: pass",
+        "def inner(): return far",
+        "near",
+        "[1 for _ in ()]",
+    ],
 )
 @pytest.mark.parametrize("end", ["", "raise NotImplementedError"])
 def test_written_body_is_never_called_not_started(body: str, end: str) -> None:
@@ -91,12 +109,15 @@ def test_parameters_with_new_names_are_allowed() -> None:
 
 @pytest.mark.parametrize(
     "code",
-    ["def f(x):\n    y = 1\n    \tz = 2\n", "def f(x):\n\ty = 1\n            z = 2\n"]
-    + ["def f(x):\n        y = 1\n\t  z = 2\n"],
+    [
+        "def f(x):\n    y = 1\n    \tz = 2\n",
+        "def f(x):\n\ty = 1\n            z = 2\n",
+        "def f(x):\n        y = 1\n\t  z = 2\n",
+    ],
 )
 def test_mixed_tabs_are_named_whatever_python_calls_them(code: str) -> None:
-    from labutils.checks.exceptions import explain  # noqa: PLC0415 - beside what it is for
-
+    name = "a cell with tabs"
+    linecache.cache[name] = (len(code), None, code.splitlines(keepends=True), name)
     with pytest.raises(IndentationError) as caught:
-        compile(code, "cell", "exec")
-    assert explain(caught.value, "cell").startswith("Tabs and spaces are mixed")
+        compile(code, name, "exec")
+    assert explain(caught.value, name).startswith("Tabs and spaces are mixed")
