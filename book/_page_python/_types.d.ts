@@ -31,6 +31,7 @@ interface Said {
   missing?: string | null;
   outputs?: CellOutput[];
   seconds?: number; // that the code itself took
+  line?: number | null; // of the code, at which it stopped
 }
 interface StoredResult {
   code: string;
@@ -122,7 +123,9 @@ interface PyProxy {
   destroy(): void;
 }
 interface PageModules {
-  runner: { run(code: string, exercise: string, progress: string): string };
+  runner: {
+    run(code: string, exercise: string, progress: string, onText: (text: string) => void): string;
+  };
   cells: {
     prepare(): void;
     run(code: string, name: string, onText: (text: string) => void, isSetup: boolean): string;
