@@ -187,6 +187,14 @@ interface EditableCell extends SessionCell {
   reset(): void;
 }
 
+/** An exercise, as far as the other tabs are concerned. */
+interface WatchedExercise {
+  name: string;
+  starter: string;
+  editor: CodeEditor;
+  say: Say;
+}
+
 interface CameraLab {
   elements: {
     make<Tag extends keyof HTMLElementTagNameMap>(
@@ -234,6 +242,22 @@ interface CameraLab {
     keepEdits(): void;
   };
   bar?: SessionCell;
+  ExerciseButtons: new (
+    name: string,
+    actions: Record<"run" | "check" | "stop" | "hint" | "reset", () => void>,
+  ) => {
+    element: HTMLElement;
+    nameReset(isUndo: boolean): void;
+    setBusy(isBusy: boolean, doing: string): void;
+  };
+  makeWayOn(name: string): HTMLElement;
+  tabs: {
+    watch(exercise: WatchedExercise): {
+      element: HTMLElement;
+      keep(next: string | null): void;
+      show(): void;
+    };
+  };
   verdicts: {
     data: ExerciseData;
     makeParts(said: Said): HTMLElement[];
@@ -257,6 +281,9 @@ interface CameraLab {
     text(): string;
     readCode(name: string): string | null;
     writeCode(name: string, code: string | null): void;
+    readAside(name: string): string | null;
+    writeAside(name: string, code: string | null): void;
+    listen(name: string, listener: (code: string | null) => void): void;
     readResult(name: string): StoredResult | null;
     writeResult(name: string, code: string, said: Said): void;
   };
@@ -281,6 +308,7 @@ interface CodeEditor {
   getText(): string;
   setText(text: string): void;
   focus(): void;
+  markLine(line: number | null): void;
 }
 interface Window {
   cameraLab: CameraLab;
@@ -294,6 +322,7 @@ interface Window {
       onChange(text: string): void;
       onCheck(): void;
       onRun?(): void;
+      folds?: boolean;
     }): CodeEditor;
   };
   MathJax?: {
