@@ -191,7 +191,8 @@
       const summary = SUMMARY[/** @type {keyof typeof SUMMARY} */ (result)];
       const isSame = code === this.editor.getText(); // or the line is another one now
       this.editor.markLine(isSame ? (line ?? null) : null);
-      this.say(line ? `${summary.replace(/\.$/, "")}, line ${line}.` : summary);
+      const place = result === "error" ? summary.replace(".", "") : `${summary} It stopped`;
+      this.say(line ? `${place} in line ${line}.` : summary);
     }
 
     stop() {
