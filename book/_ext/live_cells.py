@@ -32,6 +32,9 @@ EXERCISE_SCRIPTS = (
     "progress_rules.js",
     "progress.js",
     "verdicts.js",
+    "exercise_buttons.js",
+    "exercise_tabs.js",
+    "exercise_way_on.js",
     "exercises.js",
     "exercise_bar.js",
 )

@@ -31,6 +31,7 @@ interface Said {
   missing?: string | null;
   outputs?: CellOutput[];
   seconds?: number; // that the code itself took
+  line?: number | null; // of the code, at which it stopped
 }
 interface StoredResult {
   code: string;
@@ -122,7 +123,9 @@ interface PyProxy {
   destroy(): void;
 }
 interface PageModules {
-  runner: { run(code: string, exercise: string, progress: string): string };
+  runner: {
+    run(code: string, exercise: string, progress: string, onText: (text: string) => void): string;
+  };
   cells: {
     prepare(): void;
     run(code: string, name: string, onText: (text: string) => void, isSetup: boolean): string;
@@ -232,6 +235,12 @@ interface SearchEngine {
   listForms(page: FoundPage): string[];
   search(query: string): Answer;
   splitWords(text: string): FoundWord[];
+/** An exercise, as far as the other tabs are concerned. */
+interface WatchedExercise {
+  name: string;
+  starter: string;
+  editor: CodeEditor;
+  say: Say;
 }
 
 interface CameraLab {
@@ -285,6 +294,22 @@ interface CameraLab {
     keepEdits(): void;
   };
   bar?: SessionCell;
+  ExerciseButtons: new (
+    name: string,
+    actions: Record<"run" | "check" | "stop" | "hint" | "reset", () => void>,
+  ) => {
+    element: HTMLElement;
+    nameReset(isUndo: boolean): void;
+    setBusy(isBusy: boolean, doing: string): void;
+  };
+  makeWayOn(name: string): HTMLElement;
+  tabs: {
+    watch(exercise: WatchedExercise): {
+      element: HTMLElement;
+      keep(next: string | null): void;
+      show(): void;
+    };
+  };
   verdicts: {
     data: ExerciseData;
     makeParts(said: Said): HTMLElement[];
@@ -308,6 +333,9 @@ interface CameraLab {
     text(): string;
     readCode(name: string): string | null;
     writeCode(name: string, code: string | null): void;
+    readAside(name: string): string | null;
+    writeAside(name: string, code: string | null): void;
+    listen(name: string, listener: (code: string | null) => void): void;
     readResult(name: string): StoredResult | null;
     writeResult(name: string, code: string, said: Said): void;
   };
@@ -332,6 +360,7 @@ interface CodeEditor {
   getText(): string;
   setText(text: string): void;
   focus(): void;
+  markLine(line: number | null): void;
 }
 interface Window {
   cameraLab: CameraLab;
@@ -346,6 +375,7 @@ interface Window {
       onChange(text: string): void;
       onCheck(): void;
       onRun?(): void;
+      folds?: boolean;
     }): CodeEditor;
   };
   MathJax?: {

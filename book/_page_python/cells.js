@@ -125,7 +125,7 @@
       const { createEditor } = /** @type {Required<Window>} */ (window).cameraLabEditor;
       const help = `cell-help-${this.number}`;
       const frame = make("div", "exercise-editor cell-editor");
-      const keys = `Tab indents; Escape, then Tab, leaves the editor. ${KEYS} runs.`;
+      const keys = `Tab indents, or takes the name offered; Escape, then Tab, leaves the editor. ${KEYS} runs.`;
       this.input.append(frame, make("p", "exercise-help", keys, { id: help }));
       this.editor = createEditor({
         parent: frame,
@@ -241,7 +241,9 @@
       const seconds = said.seconds ?? 0;
       const time = seconds < 0.1 ? "less than 0.1 s" : `${seconds.toFixed(1)} s`;
       const ran = `ran in ${time}${isShown ? "" : ", nothing to show"}${this.note && `.${this.note}`}`;
-      const text = { ran, error: "stopped with an error", stopped: "stopped" }[
+      this.editor?.markLine(code === this.code ? (said.line ?? null) : null);
+      const error = `stopped with an error${said.line ? `, line ${said.line}` : ""}`;
+      const text = { ran, error, stopped: "stopped" }[
         /** @type {"ran" | "error" | "stopped"} */ (said.result)
       ];
       if (isAsked) this.tell(text);

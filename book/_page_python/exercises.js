@@ -1,8 +1,8 @@
 // Turns the exercise cells of a page into editors with buttons. Without this script the page is
 // plain: the starter, the check, and how to ask for a hint in a notebook.
 (() => {
-  const { assets, outputs, progress, python, session, verdicts } = window.cameraLab;
-  const { make, makeButton } = window.cameraLab.elements;
+  const { assets, outputs, progress, python, session, tabs, verdicts } = window.cameraLab;
+  const { make } = window.cameraLab.elements;
   const { data } = verdicts;
   const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
   const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
@@ -14,6 +14,7 @@
     "not checked": "Not checked.",
     error: "Your code stops with an error.",
     stopped: "Stopped.",
+    ran: "Ran.",
   };
 
   /**
@@ -30,6 +31,8 @@
 
   /** @implements {SessionCell} */
   class Exercise {
+    printed = ""; // by what runs
+
     /** @param {ReturnType<typeof find>} parts */
     constructor({ mount, source, check, hint, name }) {
       this.name = name;
@@ -49,16 +52,18 @@
       this.skipped = "";
       this.text = "";
       this.doing = ""; // "check" or "run"
-      this.runButton = makeButton("Run", "exercise-run", () => session.run(this));
-      this.checkButton = makeButton("Check", "exercise-check", () => this.check());
-      this.stopButton = makeButton("Stop", "exercise-stop", () => this.stop());
-      this.stopButton.hidden = true;
-      this.hintButton = makeButton("Hint", "", () => this.hint());
-      this.resetButton = makeButton("Reset", "", () => this.reset());
+      this.buttons = new window.cameraLab.ExerciseButtons(name, {
+        run: () => session.run(this),
+        check: () => this.check(),
+        stop: () => this.stop(),
+        hint: () => this.hint(),
+        reset: () => this.reset(),
+      });
       this.status = make("p", "exercise-status", "", { role: "status" });
       this.hintList = make("ol", "exercise-hints", "", { "aria-live": "polite" });
       this.output = make("div", "exercise-output", "", { "aria-live": "polite" });
       this.shown = make("div", "exercise-shown cell-yours");
+      this.tabs = tabs.watch(this);
       this.editor = this.build();
       for (const cell of [source, check, hint]) cell.classList.add("exercise-replaced");
       mount.hidden = false;
@@ -69,15 +74,9 @@
     build() {
       const help = `exercise-help-${this.name}`;
       const frame = make("div", "exercise-editor");
-      const buttons = make("div", "exercise-buttons", "", {
-        role: "group",
-        "aria-label": `Buttons of ${this.name}`,
-      });
-      buttons.append(this.runButton, this.checkButton, this.stopButton);
-      buttons.append(this.hintButton, this.resetButton);
-      const keys = `Tab indents; Escape, then Tab, leaves the editor. ${KEYS} checks, Shift and Enter runs.`;
-      this.mount.append(frame, make("p", "exercise-help", keys, { id: help }));
-      this.mount.append(buttons, this.status, this.hintList, this.output, this.shown);
+      const keys = `Tab indents, or takes the name offered; Escape, then Tab, leaves the editor. ${KEYS} checks, Shift and Enter runs.`;
+      this.mount.append(this.tabs.element, frame, make("p", "exercise-help", keys, { id: help }));
+      this.mount.append(this.buttons.element, this.status, this.hintList, this.output, this.shown);
       const { createEditor } = /** @type {Required<Window>} */ (window).cameraLabEditor;
       return createEditor({
         parent: frame,
@@ -87,6 +86,7 @@
         onChange: (text) => this.keep(text),
         onCheck: () => this.check(),
         onRun: () => session.run(this),
+        folds: true,
       });
     }
 
@@ -101,6 +101,7 @@
       }
       if (stored) this.show(stored.said, stored.code);
       this.say(code === null ? this.getNotice() : "Restored: your code from last time.");
+      this.tabs.show();
     }
 
     /** What to know before the first click. */
@@ -120,13 +121,15 @@
      * @param {string} text
      */
     keep(text) {
-      progress.writeCode(this.name, text === this.starter ? null : text);
+      const code = text === this.starter ? null : text;
+      if (!this.isRestoring) this.tabs.keep(code);
+      progress.writeCode(this.name, code);
       if (this.checkedCode !== undefined) {
         this.output.classList.toggle("is-outdated", text !== this.checkedCode);
       }
       if (this.isRestoring) return;
       this.undo = null;
-      this.resetButton.textContent = "Reset";
+      this.buttons.nameReset(false);
       if (!progress.isKept()) this.say(this.getNotice());
     }
 
@@ -136,7 +139,7 @@
       const undo = this.undo === null && before !== text ? before : null;
       this.editor.setText(text);
       this.undo = undo; // after the change, which forgets it
-      this.resetButton.textContent = undo === null ? "Reset" : "Undo reset";
+      this.buttons.nameReset(undo !== null);
       this.say(undo === null ? "Your code is back." : "This is the starter again.");
       if (undo === null && text === this.starter) this.say("This is the starter.");
     }
@@ -161,22 +164,35 @@
       if (said.missing && (await session.runAbove(this))) said = await this.askForVerdict(code);
       const seconds = (performance.now() - started) / 1000;
       this.mount.dataset.seconds = seconds.toFixed(3);
+      if (said.result === "stopped") said.printed = this.printed;
       if (said.progress) progress.merge(progress.parse(said.progress));
       if (said.result !== "stopped") progress.writeResult(this.name, code, said);
       this.show(said, code);
-      this.say(SUMMARY[/** @type {keyof typeof SUMMARY} */ (said.result)]);
+      this.tell(said, code);
       if (said.result === "passed") await this.goOn();
       this.setBusy(false);
     }
 
     askForVerdict(/** @type {string} */ code) {
+      this.begin();
       return python.run({
         key: this.key,
         order: { kind: "check", code, exercise: this.name, progress: progress.text() },
         parts: /\bmujoco\b/.test(code) ? ["simulator"] : data.exercises[this.name].parts,
         table: data.tables[this.name],
         say: (text) => this.say(text),
+        onPrinted: (text) => this.print(text),
       });
+    }
+
+    /** Say how it went, and mark the line that stopped. */
+    tell(/** @type {Said} */ said, /** @type {string} */ code) {
+      const { line, result } = said;
+      const summary = SUMMARY[/** @type {keyof typeof SUMMARY} */ (result)];
+      const isSame = code === this.editor.getText(); // or the line is another one now
+      this.editor.markLine(isSame ? (line ?? null) : null);
+      const place = result === "error" ? summary.replace(".", "") : `${summary} It stopped`;
+      this.say(line ? `${place} in line ${line}.` : summary);
     }
 
     stop() {
@@ -210,7 +226,7 @@
     }
 
     /** What has run, where the code was. */
-    async finish(/** @type {Said} */ said) {
+    async finish(/** @type {Said} */ said, /** @type {RunInfo} */ { code }) {
       const all = said.result === "stopped" ? { ...said, printed: this.printed } : said;
       const parts = outputs.makeAll(all, []);
       const title = this.text ? "Your function at work:" : "Your code, run:";
@@ -218,9 +234,8 @@
       this.mount.dataset.ran = said.result;
       if (this.text) return; // the verdict has been told
       const silent = "Ran. To see what your function gives, call it below: show(...).";
-      const told = { ran: parts.length ? "Ran." : silent, error: SUMMARY.error };
-      this.say(told[said.result === "ran" || said.result === "error" ? said.result : "ran"]);
-      if (said.result === "stopped") this.say(SUMMARY.stopped);
+      this.tell(said, code);
+      if (said.result === "ran" && !parts.length) this.say(silent);
     }
 
     fail(/** @type {SessionCell} */ above) {
@@ -231,7 +246,7 @@
 
     /** After a pass: the reader's own result, and the way on. */
     async goOn() {
-      this.output.append(makeWayOn(this.name));
+      this.output.append(window.cameraLab.makeWayOn(this.name));
       this.text = `\n\n${data.exercises[this.name].example}`;
       await session.run(this);
       this.text = "";
@@ -239,17 +254,10 @@
     }
 
     setBusy(/** @type {boolean} */ isBusy) {
-      const hadFocus = this.mount.contains(document.activeElement);
-      const focused = document.activeElement;
       this.isBusy = isBusy;
       this.mount.setAttribute("aria-busy", String(isBusy));
       this.mount.dataset.state = isBusy ? "busy" : "idle";
-      this.stopButton.hidden = !isBusy;
-      this.checkButton.hidden = this.runButton.hidden = isBusy;
-      // the button that had the focus has just gone
-      const [run, check] = [this.runButton, this.checkButton];
-      if (hadFocus && (focused === run || focused === check)) this.stopButton.focus();
-      if (hadFocus && focused === this.stopButton) (this.doing === "run" ? run : check).focus();
+      this.buttons.setBusy(isBusy, this.doing);
       if (!isBusy) this.doing = "";
     }
 
@@ -275,27 +283,6 @@
       if (text === starter) code.innerHTML = code.dataset.starter;
       else code.textContent = text;
     }
-  }
-
-  /** Where to go after an exercise: to the next one that is not solved, else to the next page. */
-  function makeWayOn(/** @type {string} */ name) {
-    const records = progress.load();
-    const names = Object.keys(data.exercises);
-    const later = names.slice(names.indexOf(name) + 1);
-    const next = [...later, ...names].find((one) => !records.get(one)?.passed);
-    const section = document.querySelector(`[data-exercise="${next}"]`)?.closest("section");
-    const page = /** @type {HTMLAnchorElement | null} */ (document.querySelector("a.right-next"));
-    const line = make("p", "exercise-on", "Go on: ");
-    if (section) {
-      const title = section.querySelector("h2, h3")?.firstChild?.textContent ?? String(next);
-      line.append(make("a", "", title, { href: `#${section.id}` }));
-    } else if (page) {
-      const title = page.querySelector(".prev-next-title")?.textContent ?? page.textContent;
-      line.append(make("a", "", String(title).trim(), { href: page.href }));
-    } else {
-      line.textContent = "All exercises of this page are solved.";
-    }
-    return line;
   }
 
   function start() {

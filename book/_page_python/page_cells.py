@@ -19,7 +19,7 @@ import warnings
 from typing import TYPE_CHECKING, Any
 
 import page_outputs
-from page_errors import add_source
+from page_errors import add_source, find_line
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -65,7 +65,7 @@ class Session:
         Returns
         -------
         list of dict
-            The outputs, as in a notebook; an error is the last one.
+            The outputs, as in a notebook; an error is the last one, and has its ``line``.
         """
         page_outputs.current.begin(on_text)
         if name in page_outputs.names:
@@ -82,7 +82,7 @@ class Session:
                 self._execute(code, name)
                 publish_figures()
             except BaseException as error:  # noqa: BLE001 - SystemExit must not end the worker either
-                page_outputs.publish(self._make_error(error, code))
+                page_outputs.publish(self._make_error(error, code, name))
         return page_outputs.current.outputs
 
     def _execute(self, code: str, name: str) -> None:
@@ -104,14 +104,18 @@ class Session:
         code = compile(tree, name, "exec", dont_inherit=True)
         exec(code, self.names)  # noqa: S102 - its purpose
 
-    def _make_error(self, error: BaseException, code: str) -> dict[str, Any]:
+    def _make_error(self, error: BaseException, code: str, name: str) -> dict[str, Any]:
         output = page_outputs.make_error(error)
-        advice = ""
+        text = output["traceback"][0] + self.advise(error, code)
+        return {**output, "traceback": [text], "line": find_line(error, name)}
+
+    def advise(self, error: BaseException, code: str) -> str:
+        """Say what a page lacks, where that is why code stopped: a line, or nothing."""
         if isinstance(error, SyntaxError) and _COMMAND.search(code):
-            advice = f"\n{NO_COMMANDS}"
+            return f"\n{NO_COMMANDS}"
         if isinstance(error, ModuleNotFoundError) and error.name in self.missing:
-            advice = f"\n{NOT_LOADED.format(error.name, self.missing[error.name])}"
-        return {**output, "traceback": [output["traceback"][0] + advice]}
+            return f"\n{NOT_LOADED.format(error.name, self.missing[error.name])}"
+        return ""
 
 
 def publish_figures() -> None:

@@ -45,6 +45,27 @@ def describe(error: BaseException, name: str, others: Collection[str] = ()) -> s
     return f"{text}\n{advice}" if advice else text
 
 
+def find_line(error: BaseException, name: str) -> int | None:
+    """Find the line of a piece of code at which it stopped.
+
+    Parameters
+    ----------
+    error : BaseException
+        What the code raised.
+    name : str
+        What a traceback calls the code.
+
+    Returns
+    -------
+    int or None
+        The deepest of its lines; None where the error came from elsewhere.
+    """
+    if isinstance(error, SyntaxError) and error.filename == name:
+        return error.lineno
+    frames = traceback.extract_tb(error.__traceback__)
+    return next((frame.lineno for frame in reversed(frames) if frame.filename == name), None)
+
+
 def _describe_frame(frame: traceback.FrameSummary, name: str) -> str:
     place = "" if frame.filename == name else f"{frame.filename}, "
     function = "" if frame.name == "<module>" else f" in {frame.name}"

@@ -3,6 +3,7 @@
 //
 //   localStorage["camera-lab-book.progress"]         {"version": 1, "exercises": {name: record}}
 //   localStorage["camera-lab-book.code.<name>"]      the reader's code, where it is not the starter
+//   localStorage["camera-lab-book.aside.<name>"]     another tab's code, until the reader has chosen
 //   localStorage["camera-lab-book.result.<name>"]    {"code", "said"} of the last check
 //
 // Where the browser keeps nothing, the page works with what this tab remembers.
@@ -206,6 +207,22 @@
     }
   }
 
+  /**
+   * Hear that another tab has changed the code of an exercise; null stands for the starter.
+   * @param {string} name
+   * @param {(code: string | null) => void} listener
+   */
+  function listen(name, listener) {
+    window.addEventListener("storage", ({ key, newValue }) => {
+      if (key === `${PREFIX}code.${name}`) listener(newValue);
+    });
+  }
+
+  // another tab has solved or imported something
+  window.addEventListener("storage", ({ key }) => {
+    if (key === `${PREFIX}progress`) document.dispatchEvent(new CustomEvent("camera-lab-progress"));
+  });
+
   window.cameraLab = {
     ...window.cameraLab,
     progress: {
@@ -218,6 +235,9 @@
       text: () => format(load()),
       readCode: (name) => read(`code.${name}`),
       writeCode: (name, code) => write(`code.${name}`, code),
+      readAside: (name) => read(`aside.${name}`),
+      writeAside: (name, code) => write(`aside.${name}`, code),
+      listen,
       readResult,
       writeResult: (name, code, said) => write(`result.${name}`, JSON.stringify({ code, said })),
     },

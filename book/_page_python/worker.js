@@ -175,10 +175,24 @@ function sendComm(text, buffers) {
 
 async function check(/** @type {CheckOrder} */ { code, exercise, progress, table }) {
   if (table) pyodide.FS.writeFile(`${TABLES}/${exercise}.npz`, await inflateBytes(table));
-  return JSON.parse(modules.runner.run(code, exercise, progress));
+  await loadOptional(code);
+  return JSON.parse(modules.runner.run(code, exercise, progress, sendPrinted));
 }
 
 async function runCell(/** @type {CellOrder} */ { code, name, isSetup }) {
+  await loadOptional(code);
+  const outputs = JSON.parse(modules.cells.run(code, name, sendPrinted, isSetup));
+  const last = outputs.at(-1);
+  return { result: last?.output_type === "error" ? "error" : "ran", outputs, line: last?.line };
+}
+
+/** What code prints is told at once: it may be stopped before its end. */
+function sendPrinted(/** @type {string} */ text) {
+  self.postMessage({ kind: "printed", text });
+}
+
+/** Load packages that code imports, and that pages do not bring with them. */
+async function loadOptional(/** @type {string} */ code) {
   for (const wanted of JSON.parse(modules.cells.list_missing(code, JSON.stringify(optional)))) {
     self.postMessage({ kind: "say", text: `Loading ${wanted} from the network` });
     try {
@@ -188,10 +202,6 @@ async function runCell(/** @type {CellOrder} */ { code, name, isSetup }) {
       modules.cells.note_missing(wanted, /** @type {Error} */ (error).message);
     }
   }
-  const onText = (/** @type {string} */ text) => self.postMessage({ kind: "printed", text });
-  const outputs = JSON.parse(modules.cells.run(code, name, onText, isSetup));
-  const last = outputs.at(-1);
-  return { result: last?.output_type === "error" ? "error" : "ran", outputs };
 }
 
 async function serve(/** @type {MessageEvent<Order>} */ { data: order, ports }) {

@@ -203,9 +203,21 @@ def find_call_problem(table: CheckTable, function: object) -> str:
             f"check() needs the function itself, without parentheses; it got {describe(function)}."
         )
     try:
-        inspect.signature(function).bind(*table.parameters)
+        signature = inspect.signature(function)
+        signature.bind(*table.parameters)
     except ValueError:
         return ""  # written in C: it does not tell its arguments
     except TypeError as error:
         return f"It will be called as {table.signature}, but that does not fit yours: {error}."
-    return ""
+    return _find_other_order(table, tuple(signature.parameters))
+
+
+def _find_other_order(table: CheckTable, names: tuple[str, ...]) -> str:
+    """Say that a parameter stands where another is due; who renames them all may."""
+    places = zip(table.parameters, names, strict=False)
+    if all(due == name or name not in table.parameters for due, name in places):
+        return ""
+    return (
+        f"Its parameters stand in another order: it is called as {table.signature}, and yours is "
+        f"{table.name}({', '.join(names)})."
+    )

@@ -43,11 +43,18 @@ class Failure:
     part: int = 0
     #: Whether the function looks as if nobody has begun it.
     untouched: bool = False
+    #: The line of the learner's code where it stopped; None where it did not.
+    line: int | None = None
 
 
-def find_failure(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
-    """Run the gates over all cases, one gate after the other; stop at the first failure."""
-    if failure := _find_untouched(table, answers):
+def find_failure(
+    table: CheckTable, answers: tuple[Outcome, ...], *, begun: bool = False
+) -> Failure | None:
+    """Run the gates over all cases, one gate after the other; stop at the first failure.
+
+    `begun` says that the function has a body: one that answers like the starter is none.
+    """
+    if failure := _find_nothing(table, answers, begun=begun):
         return failure
     if failure := _find_crash(table, answers):
         return failure
@@ -61,15 +68,23 @@ def find_failure(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | N
     return _check_raises(table, answers)
 
 
-def _find_untouched(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
-    """Tell a starter nobody has begun from a wrong answer: who returns (None, None) has begun."""
-    begin = "Replace the line with your own code, then check again."
-    if all(
-        isinstance(answer, Raised) and answer.kind == "NotImplementedError" for answer in answers
-    ):
-        return Failure(
-            "runs", f"The body is still `raise NotImplementedError`. {begin}", 0, untouched=True
-        )
+def _find_nothing(
+    table: CheckTable, answers: tuple[Outcome, ...], *, begun: bool
+) -> Failure | None:
+    """Find a function that answers nothing at all: who returns (None, None) has answered."""
+    raised = [
+        answer
+        for answer in answers
+        if isinstance(answer, Raised) and answer.kind == "NotImplementedError"
+    ]
+    if len(raised) == len(answers):
+        text = "The body is still `raise NotImplementedError`. "
+        text += "Replace the line with your own code, then check again."
+        if begun:
+            where = f" in your {raised[0].line}" if raised[0].line else ""
+            text = f"It still ends with NotImplementedError{where}. Let it return your result."
+        line = _read_number(raised[0].line) if begun else None
+        return Failure("runs", text, 0, untouched=not begun, line=line)
     returns_one = sum(not get_kind(part).is_observed for part in table.parts) == 1
     nothing = [
         (returns_one and isinstance(answer, tuple) and answer[0] is None)
@@ -78,8 +93,16 @@ def _find_untouched(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure 
     ]
     if all(nothing):
         text = "It returns nothing: the body is still empty, or `return` is missing at its end."
-        return Failure("runs", text, 0, untouched=True)
+        if begun:
+            text = "It returns nothing: `return` is missing, or no case comes to that line."
+        return Failure("runs", text, 0, untouched=not begun)
     return None
+
+
+def _read_number(line: str) -> int | None:
+    """Read the number of a "line n: source"."""
+    number = line.removeprefix("line ").partition(":")[0]
+    return int(number) if number.isdecimal() else None
 
 
 def _find_crash(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | None:
@@ -93,7 +116,8 @@ def _find_crash(table: CheckTable, answers: tuple[Outcome, ...]) -> Failure | No
         where = f" in your {answer.line}" if answer.line else ""
         wish = f" Here a {due} is due." if due else ""
         advice = f" {answer.advice}" if answer.advice else ""
-        return Failure("runs", f"It stops with {what}{where}.{wish}{advice}", index)
+        text = f"It stops with {what}{where}.{wish}{advice}"
+        return Failure("runs", text, index, line=_read_number(answer.line))
     return None
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from labutils.checks.begun import is_begun
 from labutils.checks.calls import find_call_problem
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import Differences
@@ -55,7 +56,9 @@ def judge(table: CheckTable, function: object) -> Verdict:
     assert callable(function)  # noqa: S101 - the first thing that find_call_problem asks for
     try:
         if table.needs_mujoco and not _has_mujoco():
-            text = "This exercise needs MuJoCo, which this Python does not have: pip install mujoco."
+            text = (
+                "This exercise needs MuJoCo, which this Python does not have: pip install mujoco."
+            )
             advice = "Open the page as a notebook, with its launch button or on your own computer."
             return Verdict(
                 table.name, "not checked", paragraphs=(text, advice, NOT_YOURS), link=table.section
@@ -99,7 +102,7 @@ def judge_answers(
     Verdict
         "passed" or "failed".
     """
-    failure = find_failure(table, answers)
+    failure = find_failure(table, answers, begun=is_begun(function))
     if failure is None and changed:
         return _fail(table, "input", ("All values agree.", _tell_changed(changed).text))
     if failure is None:
@@ -118,6 +121,7 @@ def judge_answers(
     told = [failure.text, _describe_where(table, failure, failed)]
     told += [f"Recognized: {text}" for text in get_hint(table, made)]
     verdict = _fail(table, failure.gate, tuple(told), made, _draw(failure, failed))
+    verdict = replace(verdict, line=failure.line)
     if made or failure.gate == "runs":
         return verdict
     # The strongest that holds: a relation, what a probe shows, that of a part, the odd case.

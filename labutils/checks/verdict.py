@@ -66,6 +66,8 @@ class Verdict:
         For pictures, depth, masks and clouds.
     counted : bool
         False where the result says nothing about the learner: nothing is kept of it.
+    line : int or None
+        The line of the learner's file or cell where the function stopped, if it did.
     """
 
     exercise: str
@@ -78,6 +80,7 @@ class Verdict:
     counted: bool = True
     relation: str | None = None
     probe: str | None = None
+    line: int | None = None
 
     @property
     def passed(self) -> bool:

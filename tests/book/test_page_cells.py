@@ -178,3 +178,10 @@ def test_figures_of_matplotlib_are_shown_and_closed(session: page_cells.Session)
     assert [one["output_type"] for one in outputs] == ["display_data", "display_data"]
     assert all(one["data"]["image/png"].startswith("iVBOR") for one in outputs)
     assert run(session, "plt.get_fignums()", 2)[0]["data"]["text/plain"] == "[]"
+
+
+def test_an_error_has_the_line_of_its_own_cell(session: page_cells.Session) -> None:
+    run(session, "def fail():\n    return 1 / 0\n")
+    assert run(session, "x = 1\n\nfail()", 2)[-1]["line"] == 3
+    assert run(session, "x = 1\nif x\n", 3)[-1]["line"] == 2
+    assert run(session, "\ndef here():\n    return fail()\nhere()", 4)[-1]["line"] == 3

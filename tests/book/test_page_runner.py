@@ -143,3 +143,49 @@ def test_a_filter_for_warnings_ends_with_its_check(run: Run) -> None:
     before = list(warnings.filters)
     run(f"import warnings\nwarnings.simplefilter('ignore')\n{WRONG}")
     assert list(warnings.filters) == before
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        ("x = 1\nif x\n", 2),
+        ("def f():\n    return 1 / 0\n\nf()\n", 2),
+        ("import json\njson.loads('{')\n", 2),
+        (f"def {NAME}(mask):\n    total = mask\n    return total.nothing\n", 3),
+        (f"def {NAME}(mask):\n    total = mask\n    raise NotImplementedError\n", 3),
+    ],
+)
+def test_the_line_that_stopped_is_told(run: Run, code: str, line: int) -> None:
+    assert run(code)["line"] == line
+
+
+@pytest.mark.parametrize(
+    "code", [WRONG, "def other(): pass\n", f"def {NAME}(mask):\n    raise NotImplementedError\n"]
+)
+def test_what_does_not_stop_has_no_line(run: Run, code: str) -> None:
+    assert run(code)["line"] is None
+
+
+def test_what_is_printed_is_told_at_once(
+    runner: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    told: list[str] = []
+    code = "print('first')\nprint(told[:])\n" + WRONG
+    runner.page_cells.SESSION.given["told"] = told
+    try:
+        said = json.loads(runner.run(code, NAME, "", told.append))
+    finally:
+        del runner.page_cells.SESSION.given["told"]
+    assert "['first', '\\n']" in said["printed"]
+    assert "".join(told) == said["printed"]
+
+
+def test_a_package_that_did_not_come_is_named(
+    run: Run, runner: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(runner.page_cells.SESSION.missing, "nowhere", "no network")
+    assert (
+        "nowhere is no part of this page, and its files did not come"
+        in run("import nowhere\n")["error"]
+    )

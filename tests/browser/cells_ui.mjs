@@ -59,6 +59,7 @@ await main(async (browser, site, name) => {
   // --- what goes wrong ---
   await ui.edit(page, 1, "x = 1\nprint('so far')\n1 / 0\n");
   seen.wrong = await ui.run(page, 1);
+  seen.failedLine = await ui.cell(page, 1).locator(".cm-failedLine").allTextContents();
   seen.notRun = await ui.run(page, 2);
   await ui.edit(page, 1, "import matplotlib\n");
   seen.matplotlib = await ui.run(page, 1);

@@ -25,7 +25,7 @@ def right_depth(depth_raw: np.ndarray, near: float, far: float) -> np.ndarray:
 def test_fault_of_the_checker_is_not_blamed_on_the_learner(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def break_down(*_: object) -> NoReturn:
+    def break_down(*_: object, **__: object) -> NoReturn:
         raise RuntimeError("a bug of ours")
 
     monkeypatch.setattr("labutils.checks.judging.find_failure", break_down)

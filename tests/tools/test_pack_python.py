@@ -33,6 +33,7 @@ ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
 BUDGET = 13_000_000  # bytes, gzipped, on the first click
 SIMULATOR_BUDGET = 3_000_000  # on top, with the first cell that simulates
+EDITOR_BUDGET = 160e3  # loaded with the exercises, and with the first Edit of a chapter
 PIECE = re.compile(r'cameraLabAsset\("([^"]+)",(\d+),"([A-Za-z0-9+/=]*)"\);\n')
 
 
@@ -230,6 +231,13 @@ def test_the_editor_is_made_of_locked_packages() -> None:
     assert {"@codemirror/view", "@lezer/python", "style-mod"} <= set(closure)
     for name in closure:
         assert npm.get_checksum(name).startswith("sha512-")
+
+
+def test_the_editor_stays_small() -> None:
+    editor = REAL_PACKED / "python" / page_python.EDITOR
+    if not editor.is_file():
+        pytest.skip("the editor is not there; run `make book` first")
+    assert len(gzip.compress(editor.read_bytes(), 9)) < EDITOR_BUDGET
 
 
 def test_an_editor_that_cannot_be_bundled_stops_the_build(

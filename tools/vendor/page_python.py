@@ -2,7 +2,7 @@
 
 Both come from npm like the other front-end files (see ``npm.py``). The editor is CodeMirror with
 everything it depends on, bundled by esbuild (its WebAssembly build, the same on every machine)
-from ``tools/vendor/editor/editor.js``.
+from ``tools/vendor/editor/editor.js``, with the names it offers (``library_names.py``).
 
 ``tools/vendor/pack_python.py`` calls this, and makes of it what the pages load.
 """
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -19,6 +20,7 @@ from typing import TYPE_CHECKING
 from tools import ROOT
 from tools.vendor import npm
 from tools.vendor.frontend import copy_files
+from tools.vendor.library_names import list_names
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -43,6 +45,7 @@ BUNDLE_OPTIONS = (
     "--log-level=warning",
 )
 EDITOR, EDITOR_LICENSES = "editor.js", "editor-licenses.txt"
+NAMES = "library-names"  # what the editor's scripts call the list
 
 
 def vendor() -> str:
@@ -85,15 +88,13 @@ def bundle_editor(target: Path) -> None:
         If the bundler says no.
     """
     bundler = npm.get_package(BUNDLER) / "bin" / "esbuild"
-    command = [*npm.find_node(), str(bundler), *BUNDLE_OPTIONS, f"--sourcefile={ENTRY.name}"]
-    command.append(f"--outfile={(target / EDITOR).resolve()}")
+    names = target.resolve() / f"{NAMES}.json"
+    names.write_text(json.dumps(list_names()), encoding="utf-8")
+    command = [*npm.find_node(), str(bundler), str(ENTRY), *BUNDLE_OPTIONS]
+    command += [f"--alias:{NAMES}={names}", f"--outfile={(target / EDITOR).resolve()}"]
+    packages = {"NODE_PATH": str(npm.FOLDER / "node_modules")}  # beside the entry are none
     done = subprocess.run(
-        command,
-        cwd=npm.FOLDER,  # where the bundler looks for what the entry imports
-        input=ENTRY.read_text(encoding="utf-8"),
-        capture_output=True,
-        encoding="utf-8",
-        check=False,
+        command, env=os.environ | packages, capture_output=True, encoding="utf-8", check=False
     )
     if done.returncode:
         raise npm.VendorError(f"the editor could not be bundled: {done.stderr.strip()}")
@@ -121,8 +122,9 @@ def _read_license(package: str) -> str:
 
 
 def _fingerprint() -> str:
-    """Name what `_build/vendor_python` should hold: packages, options and the entry."""
+    """Name what `_build/vendor_python` should hold: packages, options and our own scripts."""
     names = [PYODIDE, BUNDLER, *npm.list_closure(EDITOR_PACKAGES)]
     checksums = [npm.get_checksum(name) for name in names]
-    content = json.dumps([names, checksums, CORE, BUNDLE_OPTIONS, ENTRY.read_text("utf-8")])
+    scripts = [path.read_text("utf-8") for path in sorted(ENTRY.parent.glob("*.js"))]
+    content = json.dumps([names, checksums, CORE, BUNDLE_OPTIONS, scripts, list_names()])
     return hashlib.sha256(content.encode()).hexdigest()

@@ -95,7 +95,8 @@ def _tell_missing_function(owner: object, shown: str, name: str) -> str:
     if found := found or find_close(name, names):
         return f"What exists instead: {join((f'{shown}.{one}' for one in found), 'or')}."
     if owner.__name__ == "cv2" and name in ("imshow", "waitKey", "destroyAllWindows"):
-        return f"This OpenCV opens no windows: leave out {name}."
+        instead = " labutils.show(picture) shows a picture." if name == "imshow" else ""
+        return f"This OpenCV opens no windows: leave out {name}.{instead}"
     if owner is math and callable(getattr(np, name, None)):
         return f"{shown} has no {name}, NumPy has: np.{name}."
     return ""

@@ -221,7 +221,8 @@ RULES = (
     Rule(
         "error",
         r"^OpenCV.*Rebuild the library with",
-        "This OpenCV opens no windows: leave out imshow, waitKey and destroyAllWindows.",
+        "This OpenCV opens no windows: leave out imshow, waitKey and destroyAllWindows. "
+        "labutils.show(picture) shows a picture.",
     ),
     Rule("error", rf"^OpenCV.*(?:{'|'.join(pattern for pattern, _ in _TAKES)})", _explain_pixels),
 )

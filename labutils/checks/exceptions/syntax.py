@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linecache
 import re
 from keyword import kwlist
 
@@ -18,6 +19,8 @@ _OTHER_LANGUAGES = (
         "A word of Python's own (class, lambda, in, ...) is no name for a value: choose another.",
     ),
 )
+
+_MIXED = "Tabs and spaces are mixed: use four spaces for each step in."
 
 _SENTENCES = (
     (
@@ -53,7 +56,7 @@ _SENTENCES = (
         r"unindent does not match",
         "This line is indented like none of the blocks around it: use four spaces each.",
     ),
-    (r"inconsistent use of tabs", "Tabs and spaces are mixed: use four spaces for each step in."),
+    (r"inconsistent use of tabs", _MIXED),
     (
         r"Maybe you meant '==' or ':=' instead of '='",
         "= gives a value to a name; == asks whether two are equal.",
@@ -105,8 +108,17 @@ def explain_syntax(error: SyntaxError) -> str:
         for pattern, sentence in _OTHER_LANGUAGES:
             if re.search(pattern, line.split("#")[0].rstrip()):
                 return sentence
+    if isinstance(error, IndentationError) and _mixes_tabs(error):
+        return _MIXED
     for pattern, sentence in _SENTENCES:
         found = re.search(pattern, message)
         if found:
             return sentence.format(*found.groups(), line=error.lineno)
     return "Python reads the code up to the mark ^: look there, and at the end of the line before."
+
+
+def _mixes_tabs(error: SyntaxError) -> bool:
+    """Tell whether some lines are indented with tabs and some with spaces: it looks even."""
+    lines = linecache.getlines(error.filename or "") or [error.text or ""]
+    indents = "".join(line[: len(line) - len(line.lstrip())] for line in lines if line.strip())
+    return "\t" in indents and " " in indents

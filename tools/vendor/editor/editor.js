@@ -2,7 +2,7 @@
 // `cameraLabEditor` (see tools/vendor/page_python.py). Colors are classes; exercises.css gives them.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { python } from "@codemirror/lang-python";
+import { pythonLanguage } from "@codemirror/lang-python";
 import {
   bracketMatching,
   indentOnInput,
@@ -12,6 +12,12 @@ import {
 import { EditorState, Prec } from "@codemirror/state";
 import { EditorView, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
+import { completion } from "./completion.js";
+import { docstringFolding, foldDocstring } from "./docstring.js";
+import { failedLine, markLine } from "./failed_line.js";
+import { dedentAfterLeaving } from "./indent.js";
+import { mixedTabs } from "./mixed_tabs.js";
+import { theme } from "./theme.js";
 
 // observers, not handlers: Escape may also end a selection, and then no handler after that is asked
 const leaveWithTab = EditorView.domEventObservers({
@@ -36,8 +42,10 @@ const leaveWithTab = EditorView.domEventObservers({
  * @param {(text: string) => void} options.onChange after the reader edits
  * @param {() => void} options.onCheck for Ctrl or Cmd and Enter
  * @param {() => void} [options.onRun] for Shift and Enter; without it the same
+ * @param {boolean} [options.folds] whether the docstring is folded to its first line
  */
-export function createEditor({ parent, text, label, describedBy, onChange, onCheck, onRun }) {
+export function createEditor({ folds = false, ...options }) {
+  const { parent, text, label, describedBy, onChange, onCheck, onRun } = options;
   const keys = [
     { key: "Mod-Enter", act: onCheck },
     { key: "Shift-Enter", act: onRun ?? onCheck },
@@ -58,8 +66,15 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
         history(),
         indentUnit.of("    "),
         indentOnInput(),
+        dedentAfterLeaving,
         bracketMatching(),
-        python(),
+        EditorView.lineWrapping, // a line that is cut off cannot be read on a phone
+        pythonLanguage,
+        completion,
+        folds ? docstringFolding : [],
+        failedLine,
+        mixedTabs,
+        theme,
         syntaxHighlighting(classHighlighter),
         Prec.highest(keymap.of(keys)),
         leaveWithTab,
@@ -78,10 +93,15 @@ export function createEditor({ parent, text, label, describedBy, onChange, onChe
       ],
     }),
   });
+  const fold = () => folds && view.dispatch({ effects: foldDocstring(view.state) });
+  fold();
   return {
     getText: () => view.state.doc.toString(),
-    setText: (/** @type {string} */ value) =>
-      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: value } }),
+    setText(/** @type {string} */ value) {
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: value } });
+      fold();
+    },
     focus: () => view.focus(),
+    markLine: (/** @type {number | null} */ line) => markLine(view, line),
   };
 }

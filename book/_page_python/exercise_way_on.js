@@ -1,0 +1,29 @@
+// Where an exercise leads that has been passed.
+(() => {
+  const { progress, verdicts } = window.cameraLab;
+  const { make } = window.cameraLab.elements;
+  const { data } = verdicts;
+
+  /** Where to go after an exercise: to the next one that is not solved, else to the next page. */
+  function makeWayOn(/** @type {string} */ name) {
+    const records = progress.load();
+    const names = Object.keys(data.exercises);
+    const later = names.slice(names.indexOf(name) + 1);
+    const next = [...later, ...names].find((one) => !records.get(one)?.passed);
+    const section = document.querySelector(`[data-exercise="${next}"]`)?.closest("section");
+    const page = /** @type {HTMLAnchorElement | null} */ (document.querySelector("a.right-next"));
+    const line = make("p", "exercise-on", "Go on: ");
+    if (section) {
+      const title = section.querySelector("h2, h3")?.firstChild?.textContent ?? String(next);
+      line.append(make("a", "", title, { href: `#${section.id}` }));
+    } else if (page) {
+      const title = page.querySelector(".prev-next-title")?.textContent ?? page.textContent;
+      line.append(make("a", "", String(title).trim(), { href: page.href }));
+    } else {
+      line.textContent = "All exercises of this page are solved.";
+    }
+    return line;
+  }
+
+  window.cameraLab = { ...window.cameraLab, makeWayOn };
+})();

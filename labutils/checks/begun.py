@@ -1,0 +1,56 @@
+"""Tell a starter that nobody has touched from a function whose body somebody has written.
+
+Answers alone cannot tell: a function that still raises at its end, or that forgot its `return`,
+answers like the starter.
+"""
+
+from __future__ import annotations
+
+import dis
+import inspect
+from types import CodeType, EllipsisType
+
+
+def is_begun(function: object) -> bool:
+    """Tell whether the body of a function has more in it than a starter has.
+
+    Parameters
+    ----------
+    function : object
+        The learner's; None where only its answers are known.
+
+    Returns
+    -------
+    bool
+        False for a body of a docstring, `pass`, `...` and `raise NotImplementedError`; also where
+        there is no function to look at.
+
+    Examples
+    --------
+    >>> is_begun(lambda depth: None)
+    False
+    >>> is_begun(lambda depth: print(depth))
+    True
+    """
+    if function is None:
+        return False
+    code = getattr(inspect.unwrap(function), "__code__", None)  # type: ignore[arg-type]
+    if not isinstance(code, CodeType):
+        return True  # an object that somebody has made callable
+    arguments = code.co_argcount + code.co_kwonlyargcount
+    arguments += bool(code.co_flags & inspect.CO_VARARGS) + bool(
+        code.co_flags & inspect.CO_VARKEYWORDS
+    )
+    has_names = bool(set(code.co_names) - {"NotImplementedError"})
+    has_variables = len(code.co_varnames) > arguments or bool(code.co_cellvars)
+    return has_names or has_variables or _has_values(code) or _uses_arguments(code)
+
+
+def _has_values(code: CodeType) -> bool:
+    """Tell whether it holds a number or the like; texts are docstrings and messages."""
+    nothing = (str, EllipsisType, type(None))
+    return not all(isinstance(value, nothing) for value in code.co_consts)
+
+
+def _uses_arguments(code: CodeType) -> bool:
+    return any("_FAST" in step.opname for step in dis.get_instructions(code))
