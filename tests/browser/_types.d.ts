@@ -7,6 +7,7 @@ interface Window {
   axe: any;
   /** Put there by the tests. */
   seenWords: any;
+  said: any;
   seenStatus: any;
   host: any;
   tracks: any;
