@@ -235,6 +235,7 @@ interface SearchEngine {
   listForms(page: FoundPage): string[];
   search(query: string): Answer;
   splitWords(text: string): FoundWord[];
+}
 /** An exercise, as far as the other tabs are concerned. */
 interface WatchedExercise {
   name: string;
