@@ -8,6 +8,7 @@ interface Window {
   /** Put there by the tests. */
   seenWords: any;
   seenStatus: any;
+  said: string[];
   host: any;
   tracks: any;
   allow: any;
