@@ -65,6 +65,8 @@ class SectionReader(HTMLParser):
         goes = self._elements[-1][1]
         if tag != "article":
             goes = _choose_fields(tag, set(given.get("class", "").split()), goes, is_term=is_term)
+        if tag == "table" and len(self._open) == 1:
+            goes = ()  # the card at the top of a page: minutes, points, files
         self._elements.append((tag, goes))
 
     def handle_endtag(self, tag: str) -> None:

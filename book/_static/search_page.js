@@ -90,7 +90,9 @@
     const heading = make("h2", "search-title");
     heading.append(makeLink(address, page.title));
     item.append(make("p", "search-kind", KINDS[page.kind]), heading);
-    for (const found of page.sections) item.append(drawSection(found, address));
+    // the title above is the link to the top of a page: what stands there is of use right below it
+    const drawn = page.sections.filter(({ section }, place) => section.trail || !place);
+    item.append(...drawn.map((found) => drawSection(found, address)));
     return item;
   }
 
@@ -101,7 +103,6 @@
   function drawSection(found, address) {
     const { anchor, heading, trail } = found.section;
     const part = make("div", "search-section");
-    // the top of a page needs no second link
     if (trail) part.append(makeLink(`${address}#${anchor}`, [...trail, heading].join(" › ")));
     const excerpt = make("p", "search-excerpt");
     for (const { text, isMarked } of engine.cutExcerpt(found))

@@ -27,6 +27,7 @@ PAGE = """
 <nav>Sidebar</nav><article class="bd-article">
 <section id="step-9"><span id="page-step9"></span>
 <h1>Step 9: What is <em>blur</em>?<a class="headerlink" href="#">#</a></h1>
+<table><tr><td>Reading</td><td>20 minutes</td></tr></table>
 <p>Blur spreads <span class="math">\\(\\frac{f_x}{2}\\)</span> pixels.</p><p>Next.</p>
 <section id="new-words"><h2>New words</h2>
 <ul><li><a><span class="std std-term">sharpness</span></a></li>

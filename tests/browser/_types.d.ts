@@ -9,6 +9,7 @@ interface Window {
   seenWords: any;
   said: any;
   seenStatus: any;
+  said: string[];
   host: any;
   tracks: any;
   allow: any;

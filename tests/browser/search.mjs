@@ -69,10 +69,9 @@ async function searchFromPage(browser, site) {
   await page.keyboard.type("hue");
   await Promise.all([page.waitForURL(/search\.html\?q=/), page.keyboard.press("Enter")]);
   await page.waitForSelector(".search-page");
-  await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
   await page.focus(FIELD);
   await page.keyboard.press("Tab");
-  const link = await page.evaluate(() => /** @type {any} */ (document.activeElement).href);
+  const link = await page.locator(":focus").getAttribute("href");
   await Promise.all([page.waitForURL(/highlight=/), page.keyboard.press("Enter")]);
   await settle(page);
   const count = () => page.locator("mark.search-mark").count();
