@@ -60,7 +60,9 @@ function inspect() {
     tooWide: scrollWidth - clientWidth,
     column,
     blocks: blocks.length,
-    cut: all("pre").filter((pre) => pre.scrollWidth > pre.clientWidth + 1).map(begin),
+    cut: all("pre")
+      .filter((pre) => pre.scrollWidth > pre.clientWidth + 1)
+      .map(begin),
     wrapped: all(".code-line").filter(goesOn).map(begin),
     unmarked: blocks.filter(hasUnmarkedWrap).map(begin),
     tables: all("table.table").filter(isCut).map(begin),
@@ -77,7 +79,8 @@ function inspect() {
   /** Whether more lines are seen than there are, beside those that are marked as long. */
   function hasUnmarkedWrap(pre) {
     const { paddingTop, paddingBottom } = getComputedStyle(pre);
-    const seen = pre.clientHeight - Number.parseFloat(paddingTop) - Number.parseFloat(paddingBottom);
+    const seen =
+      pre.clientHeight - Number.parseFloat(paddingTop) - Number.parseFloat(paddingBottom);
     const marked = [...pre.querySelectorAll(".code-line")];
     const others = pre.textContent.replace(/\n$/, "").split("\n").length - marked.length;
     const due = marked.reduce((sum, line) => sum + line.offsetHeight, others * lineHeight(pre));
@@ -114,7 +117,10 @@ function inspect() {
 
 /** Runs in the page: what axe-core finds that a reader could not work around. */
 async function runAxe() {
-  const { violations } = await window.axe.run(document, { preload: false, resultTypes: ["violations"] });
+  const { violations } = await window.axe.run(document, {
+    preload: false,
+    resultTypes: ["violations"],
+  });
   return violations
     .filter(({ impact }) => ["serious", "critical"].includes(impact))
     .map(({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join("; ")}`);
