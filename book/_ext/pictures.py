@@ -22,6 +22,8 @@ from sphinx.application import Sphinx
 from sphinx.transforms.post_transforms.images import ImageConverter
 
 EXECUTED = "jupyter_execute"  # where the pictures that cells draw lie
+BROAD = 2  # times as wide as high: pictures side by side, which may be wider than the text
+SHARP = 1280  # pixels: enough for that
 TAG = re.compile(r'<img (?![^>]*\bloading=)([^>]*?src="[^"]*_images/([^"/]+)"[^>]*?)\s*/?>')
 
 
@@ -102,6 +104,8 @@ def size_and_delay(
         if source and source.suffix != ".svg" and " width=" not in tag[1]:
             with Image.open(source) as picture:
                 attributes.append(f'width="{picture.width}" height="{picture.height}"')
+                if picture.width >= BROAD * picture.height and picture.width >= SHARP:
+                    attributes.append("data-broad")
         return f"<img {' '.join(attributes)} />"
 
     if "body" in context:

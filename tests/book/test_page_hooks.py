@@ -144,6 +144,19 @@ def test_pictures_after_the_first_wait_and_all_hold_their_place(tmp_path: Path) 
     assert context["body"].count('loading="lazy"') == before.count('loading="lazy"')
 
 
+@pytest.mark.parametrize(
+    ("size", "is_broad"), [((1440, 560), True), ((1440, 1000), False), ((800, 300), False)]
+)
+def test_only_large_pictures_side_by_side_may_be_wider_than_the_text(
+    size: tuple[int, int], is_broad: bool, tmp_path: Path
+) -> None:
+    Image.new("RGB", size).save(tmp_path / "a.png")
+    app = SimpleNamespace(srcdir=tmp_path, builder=SimpleNamespace(images={"a.png": "a.png"}))
+    context = {"body": '<img alt="one" src="_images/a.png" />'}
+    load("pictures").size_and_delay(app, "", "", context, None)
+    assert ("data-broad" in context["body"]) is is_broad
+
+
 def test_pictures_of_cells_keep_every_pixel(tmp_path: Path) -> None:
     hook = load("pictures")
     picture = Image.effect_noise((32, 16), 80).convert("RGBA")
