@@ -107,7 +107,7 @@ def mark_answers(app: Sphinx, tree: nodes.document, page: str) -> None:
     if sorted(asked) != sorted(known):
         raise ExtensionError(
             f"{page}: expected a box for each of {', '.join(sorted(known))}, "
-            f"got {', '.join(sorted(asked))}"
+            f"got {', '.join(sorted(asked)) or 'none'}"
         )
     for box in boxes:
         item = box["prediction"]

@@ -54,7 +54,11 @@ def ask_page(*texts: str | list[str]) -> list[str]:
     scripts = (
         str(ROOT / "book/_page_python" / name) for name in ("progress_rules.js", "progress.js")
     )
-    told = run_node(STORAGE + READ_PROGRESS, *scripts, given=json.dumps([[text] if isinstance(text, str) else text for text in texts]))
+    told = run_node(
+        STORAGE + READ_PROGRESS,
+        *scripts,
+        given=json.dumps([[text] if isinstance(text, str) else text for text in texts]),
+    )
     return list(json.loads(told))
 
 
