@@ -137,3 +137,24 @@ def test_every_box_of_a_page_covers_all_of_its_answer_until_it_is_opened(
         assert parts > 0, name
         assert notes > 0, name
         assert (before, after) == (0, parts), name
+
+
+@pytest.fixture(scope="module")
+def ran(
+    chromium: Callable[..., Any],
+    page_python: dict[str, Any],
+    file_site: str,
+    once: Callable[..., Any],
+) -> dict[str, Any]:
+    assert page_python
+    return once("predict-run", lambda: chromium("predict_run.mjs", file_site))
+
+
+def test_a_cell_that_runs_for_another_stays_covered(ran: dict[str, Any]) -> None:
+    assert ran["below"] == {"isCovered": True, "seen": False, "result": "ran"}
+
+
+def test_whoever_runs_the_covered_cell_sees_what_it_gives(ran: dict[str, Any]) -> None:
+    assert ran["itself"] == {"isCovered": False, "seen": True}
+    assert ran["said"] == "Shown without a prediction."
+    assert ran["complaints"] == []
