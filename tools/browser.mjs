@@ -60,10 +60,18 @@ export async function openPage(browser, site, name, options = {}) {
   return tab;
 }
 
-/** Goes to a page of the site in a tab that is open, and waits until it is complete. */
+/** Goes to a page of the site in a tab that is open, opens it all, waits until it is complete. */
 export async function goTo(page, site, name) {
   await page.goto(new URL(`${name}.html`, site).href, { waitUntil: "load" });
+  await uncover(page);
   await settle(page);
+}
+
+/** Opens what the predictions of a page cover, as readers do who do not want to predict. */
+export async function uncover(page) {
+  await page.$$eval(".predict-show:not([hidden])", (all) => {
+    for (const button of all) button.click();
+  });
 }
 
 /** Waits for formulas, widgets and the network. */

@@ -11,7 +11,30 @@ interface ProgressRecord {
   probes: Counts;
 }
 type Counts = Record<string, number>;
-type ProgressRecords = Map<string, ProgressRecord>;
+
+/** What was said to a prediction of a page, or null where it was only shown. */
+interface ProgressPrediction {
+  said: string | null;
+  right: boolean;
+}
+/** What the box of a prediction asks for; see book/_static/predict_fields.js. */
+interface PredictionField {
+  element: HTMLElement;
+  inputs: HTMLInputElement[];
+  request: string;
+  get(): string | null;
+  set(answer: string): boolean;
+  isRight(answer: string): boolean;
+  find(answer: string): string;
+  quote(answer: string): Node;
+  quoteRight(): Node;
+}
+
+/** A progress file. */
+interface Progress {
+  exercises: Map<string, ProgressRecord>;
+  predictions: Map<string, ProgressPrediction>;
+}
 
 /** The forms of one thing: kind of content to text, or to what JSON can hold. */
 type Bundle = Record<string, unknown>;
@@ -316,6 +339,16 @@ interface CameraLab {
     makeParts(said: Said): HTMLElement[];
     nameLinks(parent: Element): void;
   };
+  /** book/_static/predict_fields.js */
+  predictions: {
+    make<Tag extends keyof HTMLElementTagNameMap>(
+      tag: Tag,
+      className: string,
+      ...children: (Node | string)[]
+    ): HTMLElementTagNameMap[Tag];
+    Choices: new (list: HTMLElement, name: string, said: HTMLElement) => PredictionField;
+    NumberField: new (said: HTMLElement) => PredictionField;
+  };
   rules: {
     FILE_NAME: string;
     VERSION: number;
@@ -327,9 +360,9 @@ interface CameraLab {
   progress: {
     FILE_NAME: string;
     isKept(): boolean;
-    load(): ProgressRecords;
-    merge(records: ProgressRecords): void;
-    parse(text: string): ProgressRecords;
+    load(): Progress;
+    merge(progress: Progress): void;
+    parse(text: string): Progress;
     countHint(name: string): number;
     text(): string;
     readCode(name: string): string | null;

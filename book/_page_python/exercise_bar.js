@@ -9,7 +9,7 @@
    * @param {string[]} names
    */
   function count(names) {
-    const records = progress.load();
+    const records = progress.load().exercises;
     const solved = names.filter((name) => records.get(name)?.passed).length;
     return { solved, total: names.length };
   }
@@ -29,7 +29,7 @@
       const records = progress.parse(await file.text());
       progress.merge(records);
       const kept = progress.isKept() ? "" : " This browser keeps it only until you leave.";
-      return `Imported: ${records.size} exercises. What was solved before stays solved.${kept}`;
+      return `Imported: ${records.exercises.size} exercises. What was solved before stays solved.${kept}`;
     } catch (thrown) {
       const error = /** @type {Error} */ (thrown);
       return `${file.name} is no progress file: ${error.message}. Nothing was changed.`;

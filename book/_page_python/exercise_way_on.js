@@ -6,7 +6,7 @@
 
   /** Where to go after an exercise: to the next one that is not solved, else to the next page. */
   function makeWayOn(/** @type {string} */ name) {
-    const records = progress.load();
+    const records = progress.load().exercises;
     const names = Object.keys(data.exercises);
     const later = names.slice(names.indexOf(name) + 1);
     const next = [...later, ...names].find((one) => !records.get(one)?.passed);

@@ -1,7 +1,8 @@
 // What the reader has done, kept in this browser: the code of every exercise, its last result, and
 // the progress, which is the very file that the notebook writes (labutils-progress.json):
 //
-//   localStorage["camera-lab-book.progress"]         {"version": 1, "exercises": {name: record}}
+//   localStorage["camera-lab-book.progress"]         {"version": 1, "exercises": {name: record}}, and
+//                                                    "predictions", which predict.js writes
 //   localStorage["camera-lab-book.code.<name>"]      the reader's code, where it is not the starter
 //   localStorage["camera-lab-book.aside.<name>"]     another tab's code, until the reader has chosen
 //   localStorage["camera-lab-book.result.<name>"]    {"code", "said"} of the last check
@@ -96,7 +97,7 @@
   /**
    * Read a progress file by the rules of the library; throws an Error that says what is wrong.
    * @param {string} text
-   * @returns {ProgressRecords}
+   * @returns {Progress}
    */
   function parse(text) {
     if (text.length > MAX_CHARACTERS) throw new Error("it is far too long");
@@ -108,8 +109,12 @@
     }
     const fault = findFault(content, SCHEMA);
     if (fault) throw new Error(fault);
-    const entries = Object.entries(content.exercises);
-    return new Map(entries.map(([name, item]) => [name, readRecord(item)]));
+    const read = (/** @type {object} */ items, /** @type {(item: any) => any} */ readItem) =>
+      new Map(Object.entries(items).map(([name, item]) => [name, readItem(item)]));
+    return {
+      exercises: read(content.exercises, readRecord),
+      predictions: read(content.predictions ?? {}, ({ said, right }) => ({ said, right })),
+    };
   }
 
   /**
@@ -123,13 +128,15 @@
   }
 
   /**
-   * Write records as the library does: names in order, indented by one.
-   * @param {ProgressRecords} records
+   * Write a file as the library does: names in order, indented by one.
+   * @param {Progress} progress
    */
-  function format(records) {
-    const names = [...records.keys()].sort();
-    const exercises = Object.fromEntries(names.map((name) => [name, records.get(name)]));
-    return `${JSON.stringify({ version: VERSION, exercises }, null, 1)}\n`;
+  function format({ exercises, predictions }) {
+    const sort = (/** @type {Map<string, object>} */ items) =>
+      Object.fromEntries([...items.keys()].sort().map((name) => [name, items.get(name)]));
+    const content = { version: VERSION, exercises: sort(exercises) };
+    const all = predictions.size ? { ...content, predictions: sort(predictions) } : content;
+    return `${JSON.stringify(all, null, 1)}\n`;
   }
 
   /**
@@ -164,22 +171,29 @@
   }
 
   function load() {
+    /** @type {Progress} */
+    const empty = { exercises: new Map(), predictions: new Map() };
     try {
-      return parse(read("progress") ?? format(new Map()));
+      return parse(read("progress") ?? format(empty));
     } catch {
-      return new Map(); // not ours
+      return empty; // not ours
     }
   }
 
   /**
-   * Add records to those that are stored; of two that differ, the longer history wins.
-   * @param {ProgressRecords} records
+   * Add to what is stored. Of two records that differ, the longer history wins; of predictions,
+   * what was said first, see progress_rules.py.
+   * @param {Progress} progress
    */
-  function merge(records) {
+  function merge({ exercises, predictions }) {
     const stored = load();
-    for (const [name, record] of records) {
-      const before = stored.get(name);
-      stored.set(name, before ? mergeRecord(before, record) : record);
+    for (const [name, record] of exercises) {
+      const before = stored.exercises.get(name);
+      stored.exercises.set(name, before ? mergeRecord(before, record) : record);
+    }
+    for (const [name, prediction] of predictions) {
+      const hasAnswer = typeof stored.predictions.get(name)?.said === "string";
+      if (!hasAnswer) stored.predictions.set(name, prediction);
     }
     write("progress", format(stored));
     document.dispatchEvent(new CustomEvent("camera-lab-progress"));
@@ -190,11 +204,11 @@
    * @param {string} name
    */
   function countHint(name) {
-    const records = load();
+    const { exercises } = load();
     const empty = { passed: false, attempts: 0, hints: 0, last_property: null, mistakes: {} };
-    const record = records.get(name) ?? readRecord(empty);
+    const record = exercises.get(name) ?? readRecord(empty);
     record.hints = Math.min(record.hints + 1, MAX_HINTS);
-    merge(new Map([[name, record]]));
+    merge({ exercises: new Map([[name, record]]), predictions: new Map() });
     return record.hints;
   }
 

@@ -97,6 +97,33 @@ window.cameraLab = { ...window.cameraLab, rules: {
       }
      }
     }
+   },
+   "predictions": {
+    "type": [
+     "object"
+    ],
+    "additionalProperties": {
+     "type": [
+      "object"
+     ],
+     "required": [
+      "said",
+      "right"
+     ],
+     "properties": {
+      "said": {
+       "type": [
+        "string",
+        "null"
+       ]
+      },
+      "right": {
+       "type": [
+        "boolean"
+       ]
+      }
+     }
+    }
    }
   }
  },

@@ -12,7 +12,7 @@ import os
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from labutils.checks.progress_rules import (
     FILE_NAME,
@@ -21,6 +21,9 @@ from labutils.checks.progress_rules import (
     VERSION,
     find_fault,
 )
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
 
 
 @dataclass
@@ -37,11 +40,20 @@ class Record:
 
 
 @dataclass
+class Prediction:
+    """What was said to a question of a page before its answer; None where it was only shown."""
+
+    said: str | None
+    right: bool
+
+
+@dataclass
 class Progress:
     """All records, and what went wrong while reading them."""
 
     records: dict[str, Record] = field(default_factory=dict)
     notice: str = ""
+    predictions: dict[str, Prediction] = field(default_factory=dict)
 
     def get(self, name: str) -> Record:
         """Return the record of an exercise, empty where there is none yet."""
@@ -60,13 +72,13 @@ def load_progress(folder: Path | None = None) -> Progress:
     except UnicodeDecodeError:
         return Progress(notice=_set_aside(path, "it is no JSON"))
     try:
-        return Progress(parse_progress(text))
+        return parse_progress(text)
     except ValueError as error:
         return Progress(notice=_set_aside(path, str(error)))
 
 
-def parse_progress(text: str) -> dict[str, Record]:
-    """Read the records of a file by its rules.
+def parse_progress(text: str) -> Progress:
+    """Read a file by its rules.
 
     Raises
     ------
@@ -81,7 +93,13 @@ def parse_progress(text: str) -> dict[str, Record]:
         raise ValueError("it is no JSON") from None
     if fault := find_fault(content, SCHEMA):
         raise ValueError(fault)
-    return {name: _read_record(item) for name, item in content["exercises"].items()}
+    return Progress(
+        {name: _read_record(item) for name, item in content["exercises"].items()},
+        predictions={
+            name: Prediction(item["said"], item["right"])
+            for name, item in content.get("predictions", {}).items()
+        },
+    )
 
 
 def _refuse(name: str) -> NoReturn:
@@ -111,13 +129,16 @@ def _set_aside(path: Path, reason: str) -> str:
     return f"{said} It is kept as {aside.name}; progress starts anew."
 
 
+def _write_all(items: Mapping[str, Record | Prediction]) -> dict[str, Any]:
+    return {name: vars(item) for name, item in sorted(items.items())}
+
+
 def save_progress(progress: Progress, folder: Path | None = None) -> str:
     """Write the file in one step; return "" or, where it cannot be written, a notice."""
     path = (folder or Path.cwd()) / FILE_NAME
-    content = {
-        "version": VERSION,
-        "exercises": {name: vars(record) for name, record in sorted(progress.records.items())},
-    }
+    content = {"version": VERSION, "exercises": _write_all(progress.records)}
+    if progress.predictions:
+        content["predictions"] = _write_all(progress.predictions)
     temporary = ""
     try:
         with tempfile.NamedTemporaryFile(

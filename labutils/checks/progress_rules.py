@@ -2,6 +2,11 @@
 
 The words are those of JSON Schema, as many of them as are needed here. `tools/derive/shared.py`
 writes the rules for the pages; ``book/_page_python/progress.js`` has the same `find_fault`.
+
+Predictions are made on the pages of the book and kept by everyone: a file without them, such as one
+of an older release, has none, and an older release reads a file with them as if it had none. Where
+a page joins two files, an answer wins over none, and of two answers the one that was there first:
+a prediction is what one said before one knew.
 """
 
 from __future__ import annotations
@@ -38,6 +43,18 @@ SCHEMA: dict[str, Any] = {
                     "mistakes": _COUNTS,
                     "relations": _COUNTS,
                     "probes": _COUNTS,
+                },
+            },
+        },
+        "predictions": {
+            "type": ["object"],
+            "additionalProperties": {
+                "type": ["object"],
+                "required": ["said", "right"],
+                "properties": {
+                    # the number of a choice, or a number as it was typed; null if only shown
+                    "said": {"type": ["string", "null"]},
+                    "right": {"type": ["boolean"]},
                 },
             },
         },

@@ -54,6 +54,17 @@ def test_checks_are_kept(folder: Path) -> None:
     assert [path.name for path in folder.iterdir()] == [FILE_NAME]
 
 
+def test_a_check_and_a_hint_keep_the_predictions_of_the_pages(folder: Path) -> None:
+    made = {"stale": {"said": "1", "right": False}, "pan": {"said": None, "right": False}}
+    content = {"version": 1, "exercises": {}, "predictions": made}
+    (folder / FILE_NAME).write_text(json.dumps(content))
+    check("camera_to_world", wrong)
+    hint("camera_to_world")
+    kept = json.loads((folder / FILE_NAME).read_text())
+    assert kept["predictions"] == made
+    assert kept["exercises"]["camera_to_world"]["hints"] == 1
+
+
 def test_hints_are_given_in_order_and_counted_up_to_three() -> None:
     hints = read_words()["camera_to_world"]["hints"]
     given = [hint("camera_to_world") for _ in range(4)]

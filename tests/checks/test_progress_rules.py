@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from labutils.checks.progress import Progress, load_progress, save_progress
+from labutils.checks.progress import Prediction, Progress, load_progress, save_progress
 from labutils.checks.progress_rules import FILE_NAME, MAX_CHARACTERS
 from tests.helpers.node import run_node
 
@@ -24,12 +24,12 @@ import vm from "node:vm";
 const [, ...scripts] = process.argv;
 globalThis.window = globalThis;
 globalThis.document = new EventTarget(); // who hears of a change is another test's matter
-const told = JSON.parse(readFileSync(0)).map((given) => {
+const told = JSON.parse(readFileSync(0)).map((files) => {
   try {
     localStorage.clear(); // and scripts anew, as in a new tab
     for (const script of scripts) vm.runInThisContext(readFileSync(script, "utf8"));
     const { merge, parse, text } = window.cameraLab.progress;
-    merge(parse(given));
+    for (const given of files) merge(parse(given)); // one after the other
     return text();
   } catch (error) {
     return `refused: ${error.message}`;
@@ -49,12 +49,16 @@ Object.defineProperty(globalThis, "localStorage", { value: {
 """
 
 
-def ask_page(*texts: str) -> list[str]:
-    """What the page makes of files: the file it would write, or why it refuses."""
+def ask_page(*texts: str | list[str]) -> list[str]:
+    """What the page makes of files, or of several in turn: what it would write, or why not."""
     scripts = (
         str(ROOT / "book/_page_python" / name) for name in ("progress_rules.js", "progress.js")
     )
-    told = run_node(STORAGE + READ_PROGRESS, *scripts, given=json.dumps(texts))
+    told = run_node(
+        STORAGE + READ_PROGRESS,
+        *scripts,
+        given=json.dumps([[text] if isinstance(text, str) else text for text in texts]),
+    )
     return list(json.loads(told))
 
 
@@ -104,8 +108,41 @@ def test_what_is_too_long_or_too_deep_is_refused(text: str, said: str, tmp_path:
     assert ask_page(text) == [f"refused: {said}"]
 
 
+def write_predictions(**said: str | None) -> str:
+    """A file with predictions; the answer "2" is right."""
+    items = {name: {"said": one, "right": one == "2"} for name, one in said.items()}
+    return json.dumps({"version": 1, "exercises": {}, "predictions": items})
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "kept"),
+    [
+        ("1", "2", "1"),  # what one said before one knew
+        ("2", "1", "2"),
+        (None, "1", "1"),  # an answer wins over none
+        ("1", None, "1"),
+        (None, None, None),
+    ],
+)
+def test_of_two_predictions_the_first_answer_is_kept(
+    first: str | None, second: str | None, kept: str | None
+) -> None:
+    (told,) = ask_page([write_predictions(a=first, b="1"), write_predictions(a=second, c="2")])
+    expected = json.loads(write_predictions(a=kept, b="1", c="2"))
+    assert json.loads(told) == expected
+
+
+def test_a_file_of_an_older_release_takes_no_prediction_away() -> None:
+    old = (FILES / "good" / "first_release.json").read_text("utf-8")
+    (told,) = ask_page([write_predictions(a="2"), old])
+    merged = json.loads(told)
+    assert merged["predictions"] == {"a": {"said": "2", "right": True}}
+    assert set(merged["exercises"]) == set(json.loads(old)["exercises"])
+
+
 def test_what_the_library_writes_it_reads(tmp_path: Path) -> None:
     progress = Progress()
     progress.get("find_edges").attempts = 3
+    progress.predictions["stale"] = Prediction("2", right=True)
     save_progress(progress, tmp_path)
-    assert load_progress(tmp_path).records == progress.records
+    assert load_progress(tmp_path) == progress

@@ -37,6 +37,7 @@ FILLED = {
     "page": "book/ext_test.md",
     "exercises": "exercises/ext_test.md",
     "questions": "exercises/concepts/ext_test.yml",
+    "predictions": "exercises/predictions/ext_test.yml",
     "notes": "solutions/notes/ext-test.md",
     "card_lab": "solutions/points_to_pixels.py",
     "card_challenge": "solutions/scale_intrinsics.py",
@@ -81,6 +82,7 @@ def test_a_chapter_gets_its_row_its_place_and_its_files(small: Path) -> None:
         "book/two_eyes.md",
         "exercises/two_eyes.md",
         "exercises/concepts/two_eyes.yml",
+        "exercises/predictions/two_eyes.yml",
         "exercises/objectives.yml",
         "solutions/notes/two-eyes.md",
     }
@@ -353,7 +355,7 @@ def test_a_new_chapter_touches_content_only_and_its_tests_are_green(extended: Co
     extended.run("-m", "ruff", "format", "--check", ".")
     new = "ext_test or ext-test or points_to_pixels or scale_intrinsics"
     tests = ("-m", "pytest", "-q", "-p", "no:cacheprovider")
-    contents = ("toc", "objectives", "quiz", "editions")
+    contents = ("toc", "objectives", "quiz", "predictions", "editions")
     extended.run(
         *tests,
         *("-m", "not slow", "tests/content", "tests/test_rooms.py"),
@@ -388,6 +390,7 @@ def test_the_book_with_a_new_chapter_is_built(extended: Copy) -> None:
     page = (copied / "html/book/ext_test.html").read_text(encoding="utf-8")
     assert "half [" in page  # what its cell has printed
     assert page.count("quiz-item") == 2
+    assert page.count("predict-cell") == 1
     exercises = (copied / "html/exercises/ext_test.html").read_text(encoding="utf-8")
     assert 'id="exercise-scale-intrinsics"' in exercises
     assert 'href="ext_test.html"' in (copied / "html/book/index.html").read_text(encoding="utf-8")

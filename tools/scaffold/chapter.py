@@ -1,8 +1,8 @@
 """Write the files of a new chapter: what ``make new-chapter`` runs.
 
 A chapter gets its row in the registry, its place in the contents, its page with all sections, its
-exercise page, its questions, its teaching notes, and a section for each objective. Places to fill
-are marked; ``make unfilled`` names them.
+exercise page, its questions, its prediction, its teaching notes, and a section for each objective.
+Places to fill are marked; ``make unfilled`` names them.
 
 Usage: ``python -m tools.scaffold.chapter --id two-eyes [--title TITLE] [--kind extension]``.
 """
@@ -91,6 +91,9 @@ def _add_files(plan: Plan, chapter: Chapter) -> None:
     ]
     head = f"# Concept questions of {chapter.page}.md; content/quiz_items.py explains the fields.\n"
     plan.add(f"exercises/concepts/{chapter.stem}.yml", head + "".join(questions))
+    head = f"# Predictions of {chapter.page}.md; content/predictions.py explains the fields.\n"
+    prediction = fill_template("prediction.yml", id=chapter.id)
+    plan.add(f"exercises/predictions/{chapter.stem}.yml", head + prediction)
     plan.append(SECTIONS, "".join(f"  {name}: {chapter.id}-first\n" for name in names))
 
 

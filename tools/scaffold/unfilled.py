@@ -28,6 +28,7 @@ FILES = (
     "exercises/*.md",
     "exercises/objectives.yml",
     "exercises/concepts/*.yml",
+    "exercises/predictions/*.yml",
     "solutions/*.py",
     "solutions/notes/*.md",
     "tests/solutions/variants/*.py",
