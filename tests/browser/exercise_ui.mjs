@@ -73,7 +73,7 @@ await main(async (browser, site, name, importsFile) => {
     () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
   );
   seen.smallButtons = await page.$$eval(".exercise button, .exercise-bar button", (all) =>
-    all.filter((b) => !b.hidden && b.getBoundingClientRect().height < 44).map((b) => b.textContent),
+    all.filter((b) => b.offsetParent && b.offsetHeight < 44).map((b) => b.textContent),
   );
 
   // --- what stays ---

@@ -52,7 +52,7 @@ async function visit(name) {
 async function inspect(widgets) {
   const fonts = [...document.fonts].filter(({ family }) => family.includes("Lab Book"));
   await Promise.allSettled(fonts.map((font) => font.load()));
-  const images = [...document.querySelectorAll("main article img")];
+  const images = [...document.querySelectorAll("main article img[src]")];
   for (const image of images) image.loading = "eager";
   await Promise.allSettled(images.map((image) => image.decode()));
   const { scrollWidth, clientWidth } = document.documentElement;

@@ -57,7 +57,7 @@ function inspect(widgets) {
   const isWide = (element) => element.getBoundingClientRect().right > clientWidth + 1;
   const describe = (element) => `${element.tagName.toLowerCase()}.${element.className}`;
   const wide = scrollWidth > clientWidth ? [...document.querySelectorAll("main *")] : [];
-  const images = [...document.querySelectorAll("main article img")];
+  const images = [...document.querySelectorAll("main article img[src]")];
   const source = (image) => image.getAttribute("src").slice(0, 80);
   return {
     tooWide: scrollWidth - clientWidth,

@@ -91,6 +91,7 @@ def test_an_error_names_its_line_and_keeps_what_was_printed(seen: dict[str, Any]
     assert seen["wrong"]["text"] == "so far"
     assert "line 3: 1 / 0" in seen["wrong"]["error"]
     assert "ZeroDivisionError" in seen["wrong"]["error"]
+    assert seen["failedLine"] == ["1 / 0"]
 
 
 def test_a_cell_below_an_error_says_why_it_did_not_run(seen: dict[str, Any]) -> None:
