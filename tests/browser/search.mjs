@@ -75,7 +75,8 @@ async function searchFromPage(browser, site) {
   await Promise.all([page.waitForURL(/highlight=/), page.keyboard.press("Enter")]);
   await settle(page);
   const count = () => page.locator("mark.search-mark").count();
-  const marked = await page.$$eval("mark.search-mark", (all) => all.map((m) => m.innerText));
+  // an answer that is covered has its marks too
+  const marked = await page.$$eval("mark.search-mark", (all) => all.map((m) => m.textContent));
   const outside = await page.locator("body mark:not(article mark), script mark").count();
   const text = await page.locator("article").innerText();
   await page.keyboard.press("Escape");

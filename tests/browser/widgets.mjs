@@ -59,7 +59,8 @@ async function useHsv(browser, site, name) {
     .first()
     .click({ position: { x: 40, y: 30 } });
   seen.picked = await ask(page, "print(hsv_explorer.pixel, hsv_explorer.pixel_rgb)");
-  seen.told = await live.locator(".explorer-readout").textContent();
+  const told = live.locator(".explorer-readout").filter({ hasText: "Pixel" });
+  seen.told = await told.textContent(); // which waits until it says so
   await ask(page, "hsv_explorer.move(hue_from=77)");
   await handle.and(page.locator('[aria-valuetext="77"]')).waitFor();
 

@@ -23,6 +23,7 @@ import { readFileSync } from "node:fs";
 import vm from "node:vm";
 const [, ...scripts] = process.argv;
 globalThis.window = globalThis;
+globalThis.addEventListener = () => {}; // there is no other tab
 globalThis.document = new EventTarget(); // who hears of a change is another test's matter
 const told = JSON.parse(readFileSync(0)).map((files) => {
   try {
