@@ -80,10 +80,14 @@
       const parts = ["python", "simulator"].filter((part) => part in assets.data.parts);
       const bytes = parts.reduce((sum, part) => sum + assets.countBytes(part), 0);
       const size = `${(bytes / 1e6).toFixed(0)} MB`;
+      const hosts = new Set(assets.data.remote.map(({ url }) => new URL(url).host));
+      const network = hosts.size
+        ? ` NumPy and OpenCV come from ${[...hosts]}, by the network.`
+        : "";
       return make(
         "p",
         "",
-        `The code on this page runs here, in your browser. The first run loads Python and the simulator (${size}).`,
+        `The code on this page runs here, in your browser. The first run loads Python and the simulator (${size}).${network}`,
       );
     }
 

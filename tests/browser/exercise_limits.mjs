@@ -81,8 +81,9 @@ async function loadFromCdn(browser, site, name, wheelsFile, change) {
   await page.waitForSelector(".exercise .cm-line");
   const [exercise] = await ui.listExercises(page);
   const before = await ui.read(page, exercise);
+  const bar = await page.locator(".cells-bar p").textContent();
   const askedBefore = asked.length;
   const after = await ui.check(page, exercise);
   await context.close();
-  return { before, after, askedBefore, asked };
+  return { before, after, askedBefore, asked, bar };
 }

@@ -248,6 +248,7 @@ def test_without_storage_it_works_and_says_that_nothing_is_kept(limited: dict[st
 def test_without_wheels_the_page_loads_them_and_says_so_before(limited: dict[str, Any]) -> None:
     cdn = limited["cdn"]
     assert "NumPy and OpenCV from cdn.jsdelivr.net: it needs a network" in cdn["before"]["status"]
+    assert "NumPy and OpenCV come from cdn.jsdelivr.net, by the network." in cdn["bar"]
     assert cdn["askedBefore"] == 0
     assert sorted(cdn["asked"]) == [f"{CDN}cv2.whl", f"{CDN}numpy.whl"]
     assert "Not started yet." in cdn["after"]["text"]

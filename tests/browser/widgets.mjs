@@ -59,7 +59,7 @@ async function useHsv(browser, site, name) {
     .first()
     .click({ position: { x: 40, y: 30 } });
   seen.picked = await ask(page, "print(hsv_explorer.pixel, hsv_explorer.pixel_rgb)");
-  const told = live.locator(".explorer-readout").filter({ hasText: "Pixel" });
+  const told = live.locator(".explorer-readout").filter({ hasText: /Pixel \(/ });
   seen.told = await told.textContent(); // which waits until it says so
   await ask(page, "hsv_explorer.move(hue_from=77)");
   await handle.and(page.locator('[aria-valuetext="77"]')).waitFor();
@@ -74,8 +74,14 @@ async function useHsv(browser, site, name) {
     };
     return counted;
   });
-  const busy = ask(page, "import time\nuntil = time.time() + 2\nwhile time.time() < until: pass");
-  for (let i = 0; i < 20; i++) await handle.press("ArrowRight");
+  const busy = ask(page, "import time\nuntil = time.time() + 5\nwhile time.time() < until: pass");
+  // in the page, so that Python is busy until all are made, whatever else the machine does
+  await handle.evaluate(async (element) => {
+    for (let i = 0; i < 20; i++) {
+      element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
+      await new Promise((resolve) => setTimeout(resolve)); // a task of its own each
+    }
+  });
   seen.sentWhileBusy = await counter.evaluate(({ messages }) => messages);
   await busy;
   seen.afterBusy = await ask(page, "print(hsv_explorer.hsv_range)");
