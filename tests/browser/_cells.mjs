@@ -1,5 +1,7 @@
 // What the scripts about code cells share: run one, run all, read what they show.
 
+import { setText } from "./_editors.mjs";
+
 const LONGEST_MS = 300_000; // a whole page on a machine that is busy
 
 /** The cell with a number, as a tab knows it. */
@@ -45,14 +47,7 @@ export async function edit(page, number, text) {
   if (await edit.isVisible()) await edit.click();
   const editor = cell(page, number).locator(".cm-content");
   await editor.waitFor();
-  await editor.focus();
-  await page.keyboard.press("ControlOrMeta+A");
-  await editor.evaluate((element, given) => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData("text/plain", given);
-    const options = { clipboardData, bubbles: true, cancelable: true };
-    element.dispatchEvent(new ClipboardEvent("paste", options));
-  }, text);
+  await setText(page, editor, text);
 }
 
 /** What every cell of a page shows at the moment. */

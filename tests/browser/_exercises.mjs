@@ -1,5 +1,7 @@
 // What the scripts about exercise cells share: type code, check it, read what is said.
 
+import { getText, setText } from "./_editors.mjs";
+
 const LONGEST_MS = 300_000; // a boot on a machine that is busy
 
 /** The element of one exercise. */
@@ -9,30 +11,11 @@ export const button = (page, name, text) =>
   cell(page, name).getByRole("button", { name: text, exact: true });
 
 /** Replaces the code of an editor, as a reader who pastes. */
-export async function setCode(page, name, text) {
-  const editor = cell(page, name).locator(".cm-content");
-  await editor.focus();
-  await page.keyboard.press("ControlOrMeta+A");
-  await editor.evaluate((element, given) => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData("text/plain", given);
-    const options = { clipboardData, bubbles: true, cancelable: true };
-    element.dispatchEvent(new ClipboardEvent("paste", options));
-  }, text);
-}
+export const setCode = (page, name, text) =>
+  setText(page, cell(page, name).locator(".cm-content"), text);
 
 /** The whole code of an editor, also what is scrolled away: as a reader who copies. */
-export async function getCode(page, name) {
-  const editor = cell(page, name).locator(".cm-content");
-  await editor.focus();
-  await page.keyboard.press("ControlOrMeta+A");
-  return editor.evaluate((element) => {
-    const clipboardData = new DataTransfer();
-    const options = { clipboardData, bubbles: true, cancelable: true };
-    element.dispatchEvent(new ClipboardEvent("copy", options));
-    return clipboardData.getData("text/plain");
-  });
-}
+export const getCode = (page, name) => getText(page, cell(page, name).locator(".cm-content"));
 
 /** Waits until no check of the exercise is under way; returns what it says. */
 export async function settle(page, name) {

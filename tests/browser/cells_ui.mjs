@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { loadPictures, main, NARROW, newPage, openPage, require } from "../../tools/browser.mjs";
 import * as ui from "./_cells.mjs";
+import { getText } from "./_editors.mjs";
 
 const ENDLESS = 'print("began")\nwhile True:\n    pass\n';
 const seen = {};
@@ -126,17 +127,8 @@ async function findShown(page) {
   return cells.findIndex(({ builtPictures }, place) => place > 2 && builtPictures) + 1;
 }
 
-/** The whole code of an editor, as a reader who copies. */
-async function readEditor(page, number) {
-  const editor = ui.cell(page, number).locator(".cm-content");
-  await editor.focus();
-  await page.keyboard.press("ControlOrMeta+A");
-  return editor.evaluate((element) => {
-    const clipboardData = new DataTransfer();
-    const options = { clipboardData, bubbles: true, cancelable: true };
-    element.dispatchEvent(new ClipboardEvent("copy", options));
-    return clipboardData.getData("text/plain");
-  });
+function readEditor(page, number) {
+  return getText(page, ui.cell(page, number).locator(".cm-content"));
 }
 
 async function saveNotebook(page) {

@@ -74,3 +74,19 @@ def once(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Callable[.
     if worker_id != "master":
         folder = folder.parent  # what the processes of pytest-xdist share
     return lambda name, make: browser.once(folder / f"once-{name}.json", make)
+
+
+@pytest.fixture(scope="session")
+def use_python(
+    chromium: Callable[..., Any],
+    page_python: dict[str, Any],  # noqa: ARG001 - what pages need to run code
+    file_site: str,
+    once: Callable[..., Any],
+) -> Callable[..., Any]:
+    """Run a script once over the pages as files, whose Python has all it needs.
+
+    ``use_python("cells", PAGE, ...)`` runs ``cells.mjs`` with the site and what follows.
+    """
+    return lambda script, *arguments: once(
+        f"{script}-in-page", lambda: chromium(f"{script}.mjs", file_site, *arguments)
+    )

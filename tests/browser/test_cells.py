@@ -35,15 +35,9 @@ OTHER_TEXT = {
 
 
 @pytest.fixture(scope="module")
-def visits(
-    chromium: Callable[..., Any],
-    page_python: dict[str, Any],
-    file_site: str,
-    once: Callable[..., Any],
-) -> dict[str, Any]:
+def visits(use_python: Callable[..., Any]) -> dict[str, Any]:
     """What a reader sees after "Run all", on every page with cells."""
-    assert page_python
-    return once("cells", lambda: chromium("cells.mjs", file_site, *PAGES))
+    return use_python("cells", *PAGES)
 
 
 @pytest.fixture(scope="module")

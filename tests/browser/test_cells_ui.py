@@ -13,14 +13,8 @@ PAGE = "book/step2_intrinsics"
 
 
 @pytest.fixture(scope="module")
-def seen(
-    chromium: Callable[..., Any],
-    page_python: dict[str, Any],
-    file_site: str,
-    once: Callable[..., Any],
-) -> dict[str, Any]:
-    assert page_python
-    return once("cells-ui", lambda: chromium("cells_ui.mjs", file_site, PAGE))
+def seen(use_python: Callable[..., Any]) -> dict[str, Any]:
+    return use_python("cells_ui", PAGE)
 
 
 def test_the_page_reports_no_problem(seen: dict[str, Any]) -> None:

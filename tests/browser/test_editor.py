@@ -11,13 +11,8 @@ PAGE = "exercises/step3_depth"
 
 
 @pytest.fixture(scope="module")
-def used(
-    chromium: Callable[..., Any],
-    file_site: str,
-    page_python: dict[str, Any],  # noqa: ARG001 - what it needs to run
-    once: Callable[..., Any],
-) -> dict[str, Any]:
-    return once("editor", lambda: chromium("editor.mjs", file_site, PAGE))
+def used(use_python: Callable[..., Any]) -> dict[str, Any]:
+    return use_python("editor", PAGE)
 
 
 def test_nothing_goes_wrong_in_the_editor(used: dict[str, Any]) -> None:

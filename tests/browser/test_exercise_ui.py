@@ -55,14 +55,8 @@ def imports(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def used(
-    chromium: Callable[..., Any],
-    file_site: str,
-    imports: Path,
-    page_python: dict[str, Any],  # noqa: ARG001 - what it needs to run
-    once: Callable[..., Any],
-) -> dict[str, Any]:
-    return once("exercise-ui", lambda: chromium("exercise_ui.mjs", file_site, PAGE, imports))
+def used(use_python: Callable[..., Any], imports: Path) -> dict[str, Any]:
+    return use_python("exercise_ui", PAGE, imports)
 
 
 @pytest.fixture(scope="module")

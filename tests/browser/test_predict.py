@@ -140,14 +140,8 @@ def test_every_box_of_a_page_covers_all_of_its_answer_until_it_is_opened(
 
 
 @pytest.fixture(scope="module")
-def ran(
-    chromium: Callable[..., Any],
-    page_python: dict[str, Any],
-    file_site: str,
-    once: Callable[..., Any],
-) -> dict[str, Any]:
-    assert page_python
-    return once("predict-run", lambda: chromium("predict_run.mjs", file_site))
+def ran(use_python: Callable[..., Any]) -> dict[str, Any]:
+    return use_python("predict_run")
 
 
 def test_a_cell_that_runs_for_another_stays_covered(ran: dict[str, Any]) -> None:

