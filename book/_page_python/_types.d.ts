@@ -279,7 +279,9 @@ interface CameraLab {
       text?: string,
       attributes?: Record<string, string>,
     ): HTMLElementTagNameMap[Tag];
+    KEYS: string;
     keepInPlace(element: Element): () => void;
+    save(name: string, type: string, text: string): void;
     makeButton(text: string, className: string, onClick: () => void): HTMLButtonElement;
   };
   edits: {
@@ -310,7 +312,6 @@ interface CameraLab {
     runAll(asked: SessionCell): Promise<boolean>;
     stop(asked: SessionCell): void;
     hasRun(cell: SessionCell): boolean;
-    listen(listener: () => void): void;
   };
   cells: {
     list: EditableCell[];

@@ -2,10 +2,8 @@
 // stands. Without this script, and on paper, the page shows what the build has computed.
 (() => {
   const { CellResult, assets, edits, elements, session } = window.cameraLab;
-  const { make, makeButton } = elements;
+  const { KEYS, make, makeButton } = elements;
   const { page } = assets.data;
-  const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
-  const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
 
   /** Tags of cells that need what no page has: what is said instead of running them. */
   const SKIPPED = new Map([

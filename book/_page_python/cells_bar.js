@@ -47,13 +47,7 @@
 
   function download() {
     const name = `${assets.data.page.split("/").pop()}.ipynb`;
-    const link = document.createElement("a");
-    const text = JSON.stringify(makeNotebook(), null, 1);
-    link.href = URL.createObjectURL(new Blob([text], { type: "application/x-ipynb+json" }));
-    link.download = name;
-    link.click();
-    // the download begins after this
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    elements.save(name, "application/x-ipynb+json", JSON.stringify(makeNotebook(), null, 1));
     return `Saved as ${name}, with your changes.`;
   }
 

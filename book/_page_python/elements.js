@@ -1,5 +1,9 @@
 // Making elements: what the scripts of a page share.
 (() => {
+  const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
+  /** What a reader presses in an editor. */
+  const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
+
   /**
    * Make an element: a class, a text, attributes.
    * @template {keyof HTMLElementTagNameMap} Tag
@@ -25,6 +29,21 @@
     const button = make("button", className, text, { type: "button" });
     button.addEventListener("click", onClick);
     return button;
+  }
+
+  /**
+   * Let the reader save a text as a file.
+   * @param {string} name
+   * @param {string} type
+   * @param {string} text
+   */
+  function save(name, type, text) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], { type }));
+    link.download = name;
+    link.click();
+    // the download begins after this
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 
   let keeping = 0; // how many elements at the moment
@@ -57,5 +76,8 @@
     };
   }
 
-  window.cameraLab = { ...window.cameraLab, elements: { keepInPlace, make, makeButton } };
+  window.cameraLab = {
+    ...window.cameraLab,
+    elements: { KEYS, keepInPlace, make, makeButton, save },
+  };
 })();

@@ -2,7 +2,7 @@
 // that a notebook writes and reads.
 (() => {
   const { progress, verdicts } = window.cameraLab;
-  const { makeButton } = window.cameraLab.elements;
+  const { makeButton, save } = window.cameraLab.elements;
 
   /**
    * Say how many are solved; returns {solved, total}.
@@ -15,12 +15,7 @@
   }
 
   function exportFile() {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([progress.text()], { type: "application/json" }));
-    link.download = progress.FILE_NAME;
-    link.click();
-    // the download begins after this
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    save(progress.FILE_NAME, "application/json", progress.text());
     return `Saved as ${progress.FILE_NAME}: put it beside your notebook, or import it elsewhere.`;
   }
 

@@ -2,10 +2,8 @@
 // plain: the starter, the check, and how to ask for a hint in a notebook.
 (() => {
   const { assets, outputs, progress, python, session, tabs, verdicts } = window.cameraLab;
-  const { make } = window.cameraLab.elements;
+  const { KEYS, make } = window.cameraLab.elements;
   const { data } = verdicts;
-  const isApple = /Mac|iPhone|iPad/.test(navigator.platform);
-  const KEYS = isApple ? "Command and Enter" : "Ctrl and Enter";
 
   // what the status line says after a check; the verdict itself stands below it
   const SUMMARY = {

@@ -8,8 +8,6 @@
   /** @type {Map<SessionCell, string>} */
   const ran = new Map(); // cell: the code of it that Python has run
   let tail = Promise.resolve(); // one run after the other
-  /** @type {(() => void)[]} */
-  const listeners = [];
 
   const WIDGET_SCRIPTS = [
     "widgets_outbox.js",
@@ -88,7 +86,6 @@
       ran.set(cell, code);
     }
     await cell.finish(said, { code, isAsked: cell === asked, isWanted });
-    for (const listener of listeners) listener();
     return said.result === "ran";
   }
 
@@ -196,7 +193,6 @@
     runAll,
     stop,
     hasRun: (/** @type {SessionCell} */ cell) => ran.get(cell) === cell.getText(),
-    listen: (/** @type {() => void} */ listener) => listeners.push(listener),
   };
   window.cameraLab = { ...window.cameraLab, session };
 })();
