@@ -25,7 +25,8 @@ os.environ["JUPYTER_WIDGETS_ECHO"] = "0"
 
 import comm
 from comm.base_comm import BaseComm, CommManager
-from IPython._sinks import OutputList, redirect  # type: ignore[import-not-found]  # see ipython/
+
+from page_outputs import CellOutputs, redirect
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -71,10 +72,10 @@ def deliver(message: str, buffers: Any = ()) -> None:
         "comm_msg": _manager.comm_msg,
         "comm_close": _manager.comm_close,
     }
-    said = OutputList()
+    said = CellOutputs()
     try:
         if content["type"] == "comm_open" or content["comm_id"] in _manager.comms:
-            with redirect(said.add):
+            with redirect(said):
                 handlers[content["type"]](None, "", told)  # type: ignore[arg-type]  # no stream
         if said.outputs:
             _post({**_head(content, "comm_said"), "data": {"outputs": said.outputs}})
@@ -133,14 +134,13 @@ def _make_plain(value: Any) -> Any:
 
 # Output widgets. In Jupyter the page catches what belongs to one; here Python can do it itself.
 
-_entered: list[tuple[ExitStack, OutputList]] = []
+_entered: list[tuple[ExitStack, CellOutputs]] = []
 
 
 def _enter(widget: Any) -> None:
-    kept = OutputList()
-    kept.outputs = list(widget.outputs)
+    kept = CellOutputs(widget.outputs)
     stack = ExitStack()
-    stack.enter_context(redirect(kept.add))
+    stack.enter_context(redirect(kept))
     _entered.append((stack, kept))
 
 

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import base64
 import io
+import math
 import traceback
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import TYPE_CHECKING, Any
 
 from page_errors import describe
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator, Sequence
 
 #: A loop that prints would fill the memory before anybody can press Stop.
 MAX_PRINTED = 20_000
@@ -36,10 +38,21 @@ names: list[str] = []
 
 
 class CellOutputs:
-    """The outputs of the cell that runs."""
+    """Outputs as a cell keeps them: text that follows text is one, and a clearing clears.
 
-    def __init__(self) -> None:
-        self.outputs: list[dict[str, Any]] = []
+    Parameters
+    ----------
+    before : sequence of dict
+        Outputs to go on from; they stay as they are.
+    max_printed : float
+        Characters that are kept of what is printed.
+    """
+
+    def __init__(
+        self, before: Sequence[dict[str, Any]] = (), max_printed: float = math.inf
+    ) -> None:
+        self.outputs = [dict(output) for output in before]
+        self._max_printed = max_printed
         self._clears_next = False
         self._printed = 0
         self._on_text: Callable[[str], None] | None = None
@@ -69,11 +82,11 @@ class CellOutputs:
         self.outputs.append(output)
 
     def write(self, stream: str, text: str) -> None:
-        """Keep what is printed, up to the limit of a cell."""
-        left = MAX_PRINTED - self._printed
+        """Keep what is printed, up to the limit."""
+        left = self._max_printed - self._printed
         self._printed += len(text)
         if left > 0 and text:
-            self._add(stream, text if len(text) <= left else text[:left] + TOO_MUCH)
+            self._add(stream, text if len(text) <= left else text[: int(left)] + TOO_MUCH)
 
     def _add(self, stream: str, text: str) -> None:
         last = self.outputs[-1] if self.outputs and not self._clears_next else {}
@@ -85,13 +98,25 @@ class CellOutputs:
             self._on_text(text)
 
 
-#: One cell runs at a time.
-current = CellOutputs()
+#: Where outputs go: to the cell that runs, or to whoever has asked for them meanwhile.
+current = CellOutputs(max_printed=MAX_PRINTED)
 
 
 def publish(output: dict[str, Any]) -> None:
-    """Add an output to the cell that runs."""
+    """Add an output where outputs go."""
     current.publish(output)
+
+
+@contextmanager
+def redirect(outputs: CellOutputs) -> Iterator[None]:
+    """Let others have what is displayed and printed meanwhile."""
+    global current  # noqa: PLW0603 - all that shows something looks it up when it does
+    before, current = current, outputs
+    try:
+        with redirect_stdout(Stream("stdout")), redirect_stderr(Stream("stderr")):
+            yield
+    finally:
+        current = before
 
 
 def make_bundle(thing: Any) -> dict[str, Any]:
@@ -144,6 +169,6 @@ class Stream(io.TextIOBase):
         return True
 
     def write(self, text: str) -> int:
-        """Hand a text to the cell that runs."""
+        """Hand a text to where outputs go."""
         current.write(self.name, text)
         return len(text)

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import page_outputs
 
-from ._sinks import publish
-
 if TYPE_CHECKING:
     from types import TracebackType
 
@@ -54,7 +52,7 @@ class Shell:
         """Show an exception, by default the one that is being handled."""
         error = exc_tuple[1] if exc_tuple else sys.exception()
         if error is not None:
-            publish(page_outputs.make_error(error))
+            page_outputs.publish(page_outputs.make_error(error))
 
 
 _shell = Shell()

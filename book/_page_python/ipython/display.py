@@ -7,8 +7,6 @@ from typing import Any, ClassVar
 
 import page_outputs
 
-from ._sinks import publish
-
 __all__ = ["HTML", "SVG", "Image", "Latex", "Markdown", "clear_output", "display"]
 
 
@@ -16,12 +14,12 @@ def display(*objs: Any, **_options: Any) -> None:
     """Show objects, one below the other."""
     for obj in objs:
         data = page_outputs.make_bundle(obj)
-        publish({"output_type": "display_data", "data": data, "metadata": {}})
+        page_outputs.publish({"output_type": "display_data", "data": data, "metadata": {}})
 
 
 def clear_output(wait: bool = False) -> None:  # noqa: FBT001, FBT002 - IPython's signature
     """Take away what the cell has shown, now or with the next output."""
-    publish({"output_type": "clear_output", "wait": wait})
+    page_outputs.publish({"output_type": "clear_output", "wait": wait})
 
 
 class _Text:
