@@ -19,7 +19,7 @@ import time
 from typing import TYPE_CHECKING
 
 from tools import ROOT, headless
-from tools.bench.page_python import HTML, print_line
+from tools.bench.page_python import HTML, has_wheels, print_line
 from tools.vendor import npm
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description="Measure the cells of a page.")
     parser.add_argument("--rounds", type=int, default=3, help="browsers that are opened")
     options = parser.parse_args(arguments)
-    if not (HTML / "_static" / "python" / "vendor" / "numpy.zip.0.js").is_file():
+    if not has_wheels():
         print("cells of a page: not measured; no built book that holds the wheels")
         return 1
     npm.install()
@@ -81,8 +81,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         later += page["later"]
         loop.append(float(page["printed"]))
         cold.append(measure_cold())
-        warm += run_natively(SETUP, PLAIN, TURNS)
-        native_loop += run_natively("", LOOP, 1)
+        warm += measure_warm()
+        native_loop.append(float(_run(LOOP)))
     print_line("first Run to output", first, "a new native Python", cold)
     print_line("every later cell", later, "the native cell", warm)
     print_line("one turn of a loop", loop, "the native turn", native_loop)
@@ -96,14 +96,12 @@ def measure_cold() -> float:
     return 1000 * (time.perf_counter() - started)
 
 
-def run_natively(setup: str, code: str, turns: int) -> list[float]:
-    """Run code in a native Python; return the milliseconds of each turn, or what it prints."""
-    if code == LOOP:
-        return [float(_run(code))]
-    timed = f"""{setup}
+def measure_warm() -> list[float]:
+    """Run the plain cell in a native Python, several times, in milliseconds."""
+    timed = f"""{SETUP}
 import contextlib, io, json, time
-code, times = compile({code!r}, "cell", "exec"), []
-for _ in range({turns}):
+code, times = compile({PLAIN!r}, "cell", "exec"), []
+for _ in range({TURNS}):
     started = time.perf_counter()
     with contextlib.redirect_stdout(io.StringIO()):
         exec(code)

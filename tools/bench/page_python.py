@@ -50,7 +50,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description="Measure Python in the page.")
     parser.add_argument("--rounds", type=int, default=3, help="browsers that are opened")
     options = parser.parse_args(arguments)
-    if not (HTML / "_static" / "python" / "vendor" / "numpy.zip.0.js").is_file():
+    if not has_wheels():
         print("python in the page: not measured; no built book that holds the wheels")
         return 1
     npm.install()
@@ -67,6 +67,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     print_line("first click to result", first, "a new native Python", cold)
     print_line("every later check", later, "the native check", warm)
     return 0
+
+
+def has_wheels() -> bool:
+    """Tell whether there is a built book that holds NumPy for its pages."""
+    return (HTML / "_static" / "python" / "vendor" / "numpy.zip.0.js").is_file()
 
 
 def print_line(what: str, ours: list[float], peer: str, theirs: list[float]) -> None:
