@@ -78,7 +78,7 @@ function inspect(widgets) {
     const where = wide ? `${wide.tagName.toLowerCase()}.${wide.className}` : "?";
     said.push(`sideways: ${scrollWidth - clientWidth} px too wide at ${clientWidth} px (${where})`);
   }
-  for (const image of document.querySelectorAll("main article img")) {
+  for (const image of document.querySelectorAll("main article img[src]")) {
     if (!image.alt.trim()) said.push(`no alt text: ${image.getAttribute("src")}`);
     if (!image.naturalWidth) said.push(`empty image: ${image.src}`);
   }
