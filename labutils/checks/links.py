@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 
@@ -16,8 +17,40 @@ def find_link(link: str) -> str:
     Returns
     -------
     str
-        The same, or the notebook without the place in it: headings are named otherwise there.
+        The same; or the notebook of a student's folder, without the place in it, because headings
+        are named otherwise there; or the chapter's source, which JupyterLab opens as a notebook.
     """
-    page = link.partition("#")[0]
-    notebook = page.removesuffix(".html") + ".ipynb"
-    return notebook if page != notebook and Path(notebook).is_file() else link
+    page, mark, place = link.partition("#")
+    stem = page.removesuffix(".html")
+    if stem == page:
+        return link
+    if Path(f"{stem}.ipynb").is_file():
+        return f"{stem}.ipynb"
+    return f"{stem}.md{mark}{place}" if Path(f"{stem}.md").is_file() else link
+
+
+def name_link(link: str) -> str:
+    """Say in words where a link leads.
+
+    Parameters
+    ----------
+    link : str
+        To a page of the book or to its notebook, such as "../book/step3_depth.md#step3-raw".
+
+    Returns
+    -------
+    str
+        The chapter, and the heading where the chapter's source lies at the link, else the name of
+        the place: "step 3: What is in a depth buffer?" or "step 3, raw".
+    """
+    page, _, place = link.partition("#")
+    source = Path(page)
+    step = re.match(r"step(\d+)", source.stem)
+    chapter = f"step {step[1]}" if step else source.stem.replace("_", " ")
+    if place and source.suffix == ".md" and source.is_file():
+        text = source.read_text(encoding="utf-8")
+        heading = re.search(rf"^\({re.escape(place)}\)=\n+#+ (.+)$", text, re.MULTILINE)
+        if heading:
+            return f"{chapter}: {heading[1]}"
+    words = place.removeprefix(f"{chapter.replace(' ', '')}-").replace("-", " ")
+    return f"{chapter}, {words}" if words else chapter

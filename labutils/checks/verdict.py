@@ -8,6 +8,8 @@ import textwrap
 from dataclasses import dataclass
 from typing import Literal
 
+from labutils.checks.links import name_link
+
 #: Columns of a message; a notebook on a phone breaks them once more.
 WIDTH = 96
 
@@ -111,7 +113,8 @@ class Verdict:
         body = "".join(f"<div>{html.escape(text)}</div>" for text in self.paragraphs)
         if self.link:
             target = html.escape(self.link)
-            body += f'<div>Read again: <a href="{target}" style="color:inherit">{target}</a></div>'
+            name = html.escape(name_link(self.link))
+            body += f'<div>Read again: <a href="{target}" style="color:inherit">{name}</a></div>'
         color = _MARKS[self.result][1]
         return (
             f'<div style="border-left:4px solid {color};padding:0.1em 0.8em;margin:0.4em 0">'

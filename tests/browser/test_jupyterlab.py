@@ -1,8 +1,9 @@
-"""In JupyterLab an explorer works as on the page, and Python reads what the reader chose."""
+"""In JupyterLab explorers work as on the page, and chapters open as notebooks."""
 
 from __future__ import annotations
 
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -15,6 +16,9 @@ from typing import Any
 
 import nbformat
 import pytest
+
+from tools import ROOT
+from tools.build.jupyter_settings import install_settings
 
 EXPLORE = """\
 import json
@@ -29,6 +33,11 @@ scene = explore_scene(*make_scene())
 scene.move(pixel=[40, 90])
 scene"""
 READ_SCENE = "print(json.dumps(scene.values))"
+WRONG = """\
+def intrinsics_matrix(fovy_deg, width, height):
+    f = width / 2 / np.tan(np.deg2rad(fovy_deg) / 2)
+    return np.array([[f, 0, (width - 1) / 2], [0, f, (height - 1) / 2], [0, 0, 1]])
+check("intrinsics_matrix", intrinsics_matrix)"""
 CELLS = (EXPLORE, READ, SCENE, READ_SCENE)
 LONGEST_START = 120  # seconds
 
@@ -46,12 +55,12 @@ def serve_lab(folder: Path) -> Iterator[str]:
         "ServerApp.root_dir": folder,
         "IdentityProvider.token": "",
         "LabApp.collaborative": False,
-        "LabApp.news_url": "",
     }
     environment = os.environ | {
         name: str(folder / ".jupyter")
         for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR")
     }
+    environment["JUPYTER_CONFIG_PATH"] = str(folder / ".environment" / "etc" / "jupyter")
     command = [sys.executable, "-m", "jupyter", "lab", "--allow-root"]
     command += [f"--{name}={value}" for name, value in options.items()]
     with (
@@ -90,8 +99,12 @@ def seen(tmp_path_factory: pytest.TempPathFactory, chromium: Callable[..., Any])
     }
     notebook.cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     nbformat.write(notebook, folder / "explore.ipynb")
+    for room in ("book", "exercises"):
+        shutil.copytree(ROOT / room, folder / room)
+    (folder / ".environment").mkdir()
+    install_settings(folder / ".environment")
     with serve_lab(folder) as address:
-        return chromium("jupyterlab.mjs", address, "explore.ipynb")
+        return chromium("jupyterlab.mjs", address, "explore.ipynb", "step2_intrinsics.md", WRONG)
 
 
 def to_degrees(radians: float) -> float:
@@ -130,3 +143,23 @@ def test_the_scene_that_python_draws_is_the_one_that_was_dragged(seen: dict[str,
     assert scene["page"]["pixel_depth"] is not None
     # both read the same bytes
     assert scene["python"] == pytest.approx(scene["page"], abs=1e-9)
+
+
+def test_only_what_a_learner_works_with_is_listed(seen: dict[str, Any]) -> None:
+    pages = {path.name for path in (ROOT / "exercises").glob("*.md")}
+    assert set(seen["chapter"]["names"]) == pages
+
+
+def test_a_double_click_opens_a_chapter_as_a_notebook(seen: dict[str, Any]) -> None:
+    assert seen["chapter"]["cells"] > 4
+
+
+def test_no_news_are_offered(seen: dict[str, Any]) -> None:
+    assert seen["chapter"]["notices"] == []
+
+
+def test_the_link_of_a_verdict_opens_the_chapter_as_a_notebook(seen: dict[str, Any]) -> None:
+    chapter = seen["chapter"]
+    assert "K[0, 0]" in chapter["verdict"]
+    assert chapter["link"] == "step 2: How does an angle become a focal length?"
+    assert chapter["followed"].startswith("Step 2: Which direction does a pixel look?")

@@ -12,6 +12,7 @@ import pytest
 import labutils
 from labutils.__main__ import main
 from labutils.checks import check, hint, report
+from labutils.checks.links import find_link, name_link
 from labutils.checks.progress import load_progress, save_progress
 from labutils.checks.progress_rules import FILE_NAME
 from labutils.checks.report import Report
@@ -263,3 +264,29 @@ def test_links_lead_to_the_notebook_where_there_is_one(
     assert check("camera_to_world", wrong).link == notebook
     assert {row.section for row in report().rows if row.name == "camera_to_world"} == {notebook}
     assert notebook in report().to_page()
+
+
+def test_links_lead_to_the_source_of_a_chapter_and_name_its_heading(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder / "exercises").mkdir()
+    (folder / "book").mkdir()
+    chapter = folder / "book" / "step3_depth.md"
+    chapter.write_text("# Step 3\n\n(step3-raw)=\n## What is in it?\n", encoding="utf-8")
+    monkeypatch.chdir(folder / "exercises")
+    link = find_link("../book/step3_depth.html#step3-raw")
+    assert link == "../book/step3_depth.md#step3-raw"
+    assert name_link(link) == "step 3: What is in it?"
+
+
+@pytest.mark.parametrize(
+    ("link", "name"),
+    [
+        ("../book/step3_depth.html#step3-raw", "step 3, raw"),
+        ("../book/step3_depth.ipynb", "step 3"),
+        ("../book/background.html#background-imu", "background, imu"),
+        ("../book/step3_depth.md#step3-raw", "step 3, raw"),  # a file that is not here
+    ],
+)
+def test_links_have_a_name_without_the_chapter_too(link: str, name: str) -> None:
+    assert name_link(link) == name

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tools.build import book, edition, memory, setup_env
+from tools.build import book, edition, jupyter_settings, memory, setup_env
 from tools.build.edition import EDITIONS, Edition
 from tools.build.memory import Memory
 
@@ -259,3 +259,24 @@ def test_missing_system_packages_are_asked_for_in_one_call(
     monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
     assert setup_env.find_missing(["libegl1", "libgl1", "libx11-6"]) == ["libgl1", "libx11-6"]
     assert (tmp_path / "calls").read_text() == "call\n"
+
+
+def test_settings_of_jupyterlab_go_where_an_environment_reads_them(tmp_path: Path) -> None:
+    written = jupyter_settings.install_settings(tmp_path)
+    places = {path.relative_to(tmp_path).as_posix() for path in written}
+    assert places == {
+        "etc/jupyter/jupyter_server_config.json",
+        "etc/jupyter/labconfig/default_setting_overrides.json",
+    }
+    assert jupyter_settings.install_settings(tmp_path) == written  # once more changes nothing
+
+
+def test_settings_need_an_environment(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="expected the folder of an environment"):
+        jupyter_settings.install_settings(tmp_path / "none")
+
+
+def test_changed_settings_are_installed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    before = setup_env.fingerprint()
+    monkeypatch.setattr(setup_env, "list_settings", list)
+    assert setup_env.fingerprint() != before

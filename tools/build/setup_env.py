@@ -17,6 +17,7 @@ import venv
 from pathlib import Path
 
 from tools import ROOT
+from tools.build.jupyter_settings import install_settings, list_settings
 
 VENV = ROOT / ".venv"
 STAMP = VENV / ".ready"
@@ -44,6 +45,7 @@ def main() -> int:
             file=sys.stderr,
         )
         return 1
+    install_settings(VENV)
     STAMP.write_text(wanted, encoding="ascii")
     print("setup: done")
     return 0
@@ -52,8 +54,8 @@ def main() -> int:
 def fingerprint() -> str:
     """Hash what the environment depends on, so that a changed lock file installs again."""
     digest = hashlib.sha256()
-    for name in ("requirements.txt", "pyproject.toml"):
-        digest.update((ROOT / name).read_bytes())
+    for path in (ROOT / "requirements.txt", ROOT / "pyproject.toml", *list_settings()):
+        digest.update(path.read_bytes())
     digest.update(str(ROOT).encode() + sys.version.encode())
     return digest.hexdigest()
 
