@@ -285,7 +285,7 @@ interface CameraLab {
     makeButton(text: string, className: string, onClick: () => void): HTMLButtonElement;
   };
   edits: {
-    read(page: string): CellEdit[];
+    open(page: string): CellEdit[];
     write(page: string, edits: CellEdit[]): boolean;
   };
   outputs: {

@@ -261,7 +261,7 @@
 
   /** Bring back the reader's edits. */
   function restore() {
-    for (const { source, code } of edits.read(page)) {
+    for (const { source, code } of edits.open(page)) {
       const cell = cells.find((one) => one.source === source && !one.isEdited());
       if (!cell) continue;
       cell.code = code;
