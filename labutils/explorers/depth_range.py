@@ -48,7 +48,7 @@ class DepthRangeView(PixelView):
     """The colored depth image, its color bar, and the histograms of meters and of raw values."""
 
     _esm = join_modules("depth_range")
-    _css = join_styles("plot", "depth_range")
+    _css = join_styles("plot", "hover", "depth_range")
     depth_png = traitlets.Bytes().tag(sync=True)
     depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)
     #: A surface lies between these, in meters.
@@ -65,7 +65,11 @@ class DepthRangeView(PixelView):
     PARAMETERS: ClassVar = ("range_m", "color_map", "pixel")
 
     def compute(self) -> dict[str, Any]:
-        """Compute the shares of the pixels, both histograms, and what one pixel reads."""
+        """Compute the shares of the surface pixels, both histograms, and what one pixel reads.
+
+        What is no surface, as the sky in a window, is counted apart. `too_wide` is how many times
+        as wide the range is as the tightest one that holds every surface.
+        """
         steps = decode_steps(self.depth_png)
         limits = Limits(*(to_step(one) for one in self.range_m))
         kinds = np.bincount(find_kinds(steps, limits).ravel(), minlength=4)
@@ -73,11 +77,15 @@ class DepthRangeView(PixelView):
         end = to_step(self.upper_m)
         metric = surface[surface < end] * BINS // end
         raw = np.minimum((self._to_raw(surface * DEPTH_STEP) * BINS).astype(int), BINS - 1)
+        tightest = max(int(surface.max() - surface.min()), 1) * DEPTH_STEP
         return {
-            "share_nearer": float(100 * kinds[NEARER] / steps.size),
-            "share_inside": float(100 * kinds[INSIDE] / steps.size),
-            "share_farther": float(100 * kinds[FARTHER] / steps.size),
+            "surfaces": surface.size,
+            "left_out": int(kinds[NEARER] + kinds[FARTHER]),
+            "share_nearer": float(100 * kinds[NEARER] / surface.size),
+            "share_inside": float(100 * kinds[INSIDE] / surface.size),
+            "share_farther": float(100 * kinds[FARTHER] / surface.size),
             "no_surface": int(kinds[NO_SURFACE]),
+            "too_wide": (self.range_m[1] - self.range_m[0]) / tightest,
             "raw_range": self._to_raw(np.array(self.range_m)).tolist(),
             "raw_closest": float(self._to_raw(surface.min() * DEPTH_STEP)),
             "metric_bins": np.bincount(metric, minlength=BINS).tolist(),
@@ -106,7 +114,7 @@ class DepthRangeView(PixelView):
         low, high = values["raw_range"]
         return (
             f"Depth range: {near:.2f} to {far:.2f} m holds {values['share_inside']:.1f} % of the "
-            f"pixels; in the raw buffer that is {low:.4f} to {high:.4f}"
+            f"surface pixels; in the raw buffer that is {low:.4f} to {high:.4f}"
         )
 
     def draw_poster(self) -> np.ndarray:

@@ -275,10 +275,22 @@ interface Clip {
   near: number;
   far: number;
 }
-interface RangeValues {
+/** What a range holds of a depth image: surfaces only, but for `no_surface`. */
+interface RangeCounts {
+  surfaces: number;
+  left_out: number;
+  share_nearer: number;
   share_inside: number;
+  share_farther: number;
   no_surface: number;
-  raw_range: number[];
+  /** How many times as wide the range is as the tightest that holds every surface. */
+  too_wide: number;
+  raw_range: Pair;
+  raw_closest: number;
+  metric_bins: number[];
+  raw_bins: number[];
+}
+interface PixelReading {
   pixel_depth: number | null;
   pixel_raw: number | null;
   pixel_kind: number | null;
