@@ -50,7 +50,7 @@ class StereoView(PixelView):
     """The left eye's picture with both marks, the rays from above, and error over depth."""
 
     _esm = join_modules("stereo")
-    _css = join_styles("plot", "stereo")
+    _css = join_styles("plot", "hover", "stereo")
     rgb_png = traitlets.Bytes().tag(sync=True)
     depth_png = traitlets.Bytes().tag(sync=True)
     depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)

@@ -1,10 +1,8 @@
 // A histogram whose bins can be chosen: with the pointer over them, or with the arrow keys.
 
+import { watchBins } from "./_bins.js";
 import { makePlot } from "./_plot.js";
 import { addShape, setShape } from "./_shapes.js";
-
-/** @type {Record<string, number>} */
-const KEYS = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 };
 
 /**
  * Bars that stay, a band that follows the range, a line for the pixel, and a frame around the bin
@@ -37,7 +35,8 @@ export function makeHistogram(parent, counts, { label, limits, digits, unit, hei
   const hovered = addShape(inside, "rect", { class: "explorer-hovered", y: area.top, width: 0 });
   setShape(hovered, { height: area.bottom - area.top });
   const note = addShape(plot.above, "text", { class: "halo", y: area.top + 14 });
-  listen();
+  const first = counts.indexOf(Math.max(...counts));
+  watchBins(plot, { bins: counts.length, first, name: "histogram", describe }, show);
   const clamp = (/** @type {number} */ value) => Math.min(limits[1], Math.max(limits[0], value));
   return {
     /** @type {(range: Pair, value: number | null) => void} */
@@ -54,16 +53,14 @@ export function makeHistogram(parent, counts, { label, limits, digits, unit, hei
   };
 
   /** @param {number | null} bin */
-  function pick(bin) {
-    const text = bin === null ? "no bar chosen" : describe(bin);
-    setShape(plot.svg, { "aria-valuenow": bin ?? 0, "aria-valuetext": text });
+  function show(bin) {
     const [left, right] = [bin ?? 0, (bin ?? 0) + 1].map((end) =>
       plot.x(toValue(end, counts.length, limits)),
     );
     setShape(hovered, { x: left, width: bin === null ? 0 : right - left });
     const onLeft = left > (area.left + area.right) / 2;
     setShape(note, { x: onLeft ? left - 6 : right + 6, "text-anchor": onLeft ? "end" : "start" });
-    note.textContent = bin === null ? "" : text;
+    note.textContent = bin === null ? "" : describe(bin);
     choose(bin);
   }
 
@@ -73,41 +70,6 @@ export function makeHistogram(parent, counts, { label, limits, digits, unit, hei
       toValue(end, counts.length, limits).toFixed(digits),
     );
     return `${low} to ${high}${unit}: ${((100 * counts[bin]) / total).toFixed(1)} %`;
-  }
-
-  function listen() {
-    const { svg } = plot;
-    /** @type {number | null} */
-    let bin = null;
-    const to = (/** @type {number | null} */ next) => {
-      if (next === bin) return;
-      bin = next;
-      pick(bin);
-    };
-    setShape(svg, { role: "slider", tabindex: 0, "aria-roledescription": "histogram" });
-    setShape(svg, { "aria-valuemin": 0, "aria-valuemax": counts.length - 1 });
-    pick(null);
-    const fromPointer = (/** @type {PointerEvent} */ event) => {
-      const box = svg.getBoundingClientRect();
-      const x = ((event.clientX - box.left) / box.width) * (area.right + 12); // as wide as the drawing
-      to(findBin(x, counts.length, area));
-    };
-    for (const name of ["pointerdown", "pointermove"]) {
-      svg.addEventListener(name, (event) => fromPointer(/** @type {PointerEvent} */ (event)));
-    }
-    svg.addEventListener("pointerleave", (event) => {
-      if (/** @type {PointerEvent} */ (event).pointerType !== "touch") to(null);
-    });
-    svg.addEventListener("blur", () => to(null));
-    svg.addEventListener("keydown", (event) => {
-      const { key } = /** @type {KeyboardEvent} */ (event);
-      if (key === "Escape") to(null);
-      if (!KEYS[key]) return;
-      const fullest = counts.indexOf(Math.max(...counts));
-      to(bin === null ? fullest : Math.min(counts.length - 1, Math.max(0, bin + KEYS[key])));
-      event.preventDefault();
-      event.stopPropagation(); // in JupyterLab the arrows would move to another cell
-    });
   }
 }
 
@@ -119,15 +81,4 @@ export function makeHistogram(parent, counts, { label, limits, digits, unit, hei
  */
 function toValue(bin, bins, [low, high]) {
   return low + ((high - low) * bin) / bins;
-}
-
-/**
- * The bin at a place of the drawing; null beside the bars.
- * @param {number} x
- * @param {number} bins
- * @param {Pick<Area, "left" | "right">} area
- */
-export function findBin(x, bins, { left, right }) {
-  const bin = Math.floor(((x - left) / (right - left)) * bins);
-  return bin >= 0 && bin < bins ? bin : null;
 }

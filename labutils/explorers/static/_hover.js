@@ -17,7 +17,7 @@ export function watchPixel(canvas, show) {
 
 /**
  * The pixel of a canvas under a pointer; a pixel's number names its center.
- * @param {HTMLCanvasElement} canvas
+ * @param {{ width: number, height: number, getBoundingClientRect(): Box }} canvas
  * @param {{ clientX: number, clientY: number }} pointer
  * @returns {Pixel}
  */

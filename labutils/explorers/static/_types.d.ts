@@ -174,6 +174,13 @@ interface SplatBuffer {
   ids: Int32Array;
 }
 
+/** Where something stands on the page. */
+interface Box {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
 /** Places of an area in a drawing. */
 interface Area {
   left: number;
