@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -103,6 +104,19 @@ def check_transform(value: Any) -> np.ndarray:
         )
     check_pose(matrix[:3, 3], matrix[:3, :3])
     return matrix
+
+
+def check_fov(fov_y: Any, limits: tuple[float, float]) -> float:
+    """Return an angle in radians as one of the slider's, in degrees."""
+    if isinstance(fov_y, bool) or not isinstance(fov_y, numbers.Real):
+        raise TypeError(f"fov_y: expected a number, got {type(fov_y).__name__} {fov_y!r}")
+    degrees = float(np.degrees(float(fov_y)))
+    if not limits[0] <= degrees <= limits[1]:
+        least, most = limits
+        raise ValueError(
+            f"fov_y: expected {least:g} to {most:g} degrees in radians, got {degrees:g} degrees"
+        )
+    return round(degrees, 1)
 
 
 def check_faces(faces: Mapping[str, Sequence[Sequence[int]]], depth: np.ndarray) -> list[list[Any]]:
