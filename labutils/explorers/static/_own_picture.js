@@ -5,12 +5,12 @@ import { getContext, make } from "./_frame.js";
 import { openWebcam } from "./_webcam.js";
 
 /**
- * Add the buttons below the frame. `show` gets a picture, at most of `size`, or null for the scene's;
+ * Add the buttons at the foot of the frame. `show` gets a picture, at most of `size`, or null for the scene's;
  * `place` is where the camera shows what it sees.
  * @param {OwnPictureParts} parts
  */
 export function acceptPictures({ frame, place, size, show }) {
-  const bar = make("div", "explorer-own", frame.root);
+  const bar = make("div", "explorer-own", frame.foot);
   /**
    * @param {string} text
    * @param {() => void} act

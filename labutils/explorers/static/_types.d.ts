@@ -27,6 +27,24 @@ interface ViewTraits<Parameters> {
   label: string;
   help: string;
   start: Parameters;
+  goal?: Goal | Record<string, never>;
+}
+/** What a reader is to reach, see _goal.js. */
+interface Goal {
+  text: string;
+  parts: GoalPart[];
+}
+interface GoalPart {
+  /** The value, by the name under which the view tells it. */
+  value: string;
+  /** Its name for the reader. */
+  name: string;
+  low: number | null;
+  high: number | null;
+  unit: string;
+  digits: number;
+  /** How far from the limits the bar is empty; null: as far as it is at first. */
+  scale: number | null;
 }
 type ViewModel<Own, Parameters> = Model<ViewTraits<Parameters> & Own & Parameters>;
 
@@ -107,9 +125,13 @@ interface Orbit {
 /** What a view fills, see _frame.js. */
 interface Frame {
   root: HTMLElement;
+  /** For the picture that the controls change: it stays in view while they are used. */
   stage: HTMLElement;
+  /** For more drawings: beside the stage, or on a phone below the controls. */
+  side: HTMLElement;
   foot: HTMLElement;
   cleanups: (() => void)[];
+  reserve(longest: string): void;
   tell(text: string, values: object): void;
   fail(error: unknown): void;
   destroy(): void;

@@ -30,9 +30,8 @@ export default defineView("depth-convention", start);
  * @param {Frame} frame
  */
 function start(model, frame) {
-  const pair = make("div", "explorer-pair", frame.stage);
-  const curve = makeCurve(pair);
-  const table = makeTable(pair);
+  const curve = makeCurve(frame.stage);
+  const table = makeTable(frame.side);
   /** @returns {Triple} */
   const get = () => [
     model.get("raw"),

@@ -19,11 +19,9 @@ async function start(model, frame) {
   wide.height = image.height;
   getContext(wide).putImageData(image, 0, 0);
 
-  frame.stage.classList.add("explorer-fov");
   const canvas = makeCanvas(frame.stage, 640, 480, "What the camera sees");
-  const side = make("div", "explorer-side", frame.stage);
-  const top = makeTopView(side);
-  const table = makeMatrix(side);
+  const top = makeTopView(frame.side);
+  const table = makeMatrix(frame.side);
   drawOnChange(model, frame, () => {
     const [fov, size] = [model.get("fov_y_deg"), model.get("sizes")[model.get("size")]];
     drawCrop(canvas, wide, fov, model.get("max_fov_deg"), size);

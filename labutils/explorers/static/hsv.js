@@ -17,7 +17,6 @@ export default defineView("hsv", start);
  */
 async function start(model, frame) {
   const scene = await decodePng(model.get("rgb_png"));
-  frame.stage.classList.add("explorer-hsv");
   // one place of the scene's shape for every picture, so that nothing moves when it changes
   const place = make("div", "explorer-hsv-picture", frame.stage);
   place.style.aspectRatio = `${scene.width} / ${scene.height}`;
@@ -28,7 +27,7 @@ async function start(model, frame) {
     canvas,
     label: "The picture, dimmed where nothing is selected",
   });
-  const ring = makeHueRing(frame.stage, model);
+  const ring = makeHueRing(frame.side, model);
 
   /** @type {ReturnType<typeof makeSegmenter>} */
   let segmenter;
