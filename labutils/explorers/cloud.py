@@ -33,6 +33,7 @@ from labutils.explorers._cloud_start import (
     find_limits,
     make_start_orbit,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.pointcloud import depth_to_pointcloud
 from labutils.projection import pixels_to_points
@@ -41,6 +42,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _COLORS = ("RGB", "depth", "height")
+#: The goal: half a degree on either side of it.
+_RIGHT_ANGLE_DEG = (89.5, 90.5)
 
 
 class CloudView(PixelView):
@@ -211,7 +214,7 @@ def explore_cloud(
         The pixel picked first.
     fov_y : float, optional
         The angle from top to bottom assumed first, in radians: half to twice the camera's own,
-        which it is without this.
+        which it is without this. With faces the goal is to find the camera's own.
 
     Returns
     -------
@@ -255,7 +258,7 @@ def explore_cloud(
         pixel=[] if pixel is None else list(check_pixel("pixel", pixel, *depth.shape[::-1])),
         orbit=make_start_orbit(points, pose),
     )
-    return CloudExplorer(
+    explorer = CloudExplorer(
         view,
         {
             "fov_y_deg": make_slider("fov_y", limits.fov, 0.5, unit="°", digits=1),
@@ -263,3 +266,9 @@ def explore_cloud(
             "color": make_choice("color", _COLORS),
         },
     )
+    if faces is not None and fov_y is not None:
+        explorer.goal = Goal(
+            f"Make {' and '.join(faces)} meet at a right angle again: find the field of view.",
+            GoalPart("angle_deg", "angle", *_RIGHT_ANGLE_DEG, unit="°", digits=1),
+        )
+    return explorer

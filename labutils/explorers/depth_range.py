@@ -37,11 +37,16 @@ from labutils.explorers._depth_picture import (
     paint_depth,
     to_step,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 
 BINS = 50
 #: End of the slider in meters, unless something lies farther away.
 _USUAL_END = 5.0
+#: The goal: a range as wide as the tightest that holds every surface, and this much wider at most.
+_WIDE_ENOUGH = 1.05
+#: Who leaves out this share of the surfaces is as far from the goal as can be.
+_MANY = 0.05
 
 
 class DepthRangeView(PixelView):
@@ -166,7 +171,8 @@ def explore_depth_range(
     Returns
     -------
     DepthRangeExplorer
-        Shows itself as the last line of a cell; has `depth_range` in meters and `pixel`.
+        Shows itself as the last line of a cell; has `depth_range` in meters and `pixel`. Its
+        goal is a range that holds every surface and is at most 5 % wider than it has to be.
 
     Raises
     ------
@@ -189,6 +195,14 @@ def explore_depth_range(
         range_m=[round(float(near), 2), round(float(far), 2)],
     )
     slider = make_range_slider("range", (0.0, upper), 0.01, unit="m", digits=2)
-    return DepthRangeExplorer(
+    explorer = DepthRangeExplorer(
         view, {"range_m": slider, "color_map": make_choice("colors", list(COLOR_MAPS))}
     )
+    explorer.goal = Goal(
+        "Hold every surface in the tightest range: at most 5 % wider than it has to be.",
+        GoalPart(
+            "left_out", "surface pixels left out", high=0, digits=0, scale=_MANY * surface.size
+        ),
+        GoalPart("too_wide", "width", high=_WIDE_ENOUGH, unit=" ×"),
+    )
+    return explorer

@@ -30,6 +30,7 @@ from labutils.explorers._depth_picture import (
     make_color_tables,
     paint_depth,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._scene_copy import BALL_X, BALL_Y, SceneCopy, ScenePose
 
@@ -43,6 +44,8 @@ _COLORED_M = (0.5, 3.0)
 #: Two poses are the same where a slider could not tell them apart.
 _SAME = 1e-6
 _POSTER_WIDTH = 640
+#: The goal: the ball is in the middle when it is at most this far from it.
+_NEAR_MIDDLE_PX = 5.0
 
 
 class SceneView(PixelView):
@@ -251,7 +254,12 @@ def explore_scene(
         ball_px=list(scene.find_ball(depth) or ()),
         **scene.pose._asdict(),
     )
-    return SceneExplorer(view, scene)
+    explorer = SceneExplorer(view, scene)
+    explorer.goal = Goal(
+        "Bring the red ball to the middle of the picture.",
+        GoalPart("ball_off_px", "off by", high=_NEAR_MIDDLE_PX, unit=" px", digits=0),
+    )
+    return explorer
 
 
 def _round_to(pose: ScenePose) -> list[tuple[float, int]]:

@@ -229,6 +229,8 @@ interface Plot {
 type StereoValues = StereoSeen | Nothing<StereoSeen>;
 interface StereoSeen {
   depth: number;
+  /** The same, if the right eye sees the point. */
+  shared_depth: number | null;
   disparity: number;
   u_right: number;
   right: number;

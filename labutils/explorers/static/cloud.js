@@ -41,17 +41,15 @@ async function start(model, frame) {
     decodePng(model.get("depth_png")),
   ]);
   const cloud = readCloud(model, image, depth);
-  frame.stage.classList.add("explorer-cloud");
-  const main = make("div", "", frame.stage);
-  const surface = make("div", "explorer-cloud-view", main);
+  const surface = make("div", "explorer-cloud-view", frame.stage);
   surface.setAttribute(
     "aria-label",
     "Point cloud. Arrow keys walk around, plus and minus zoom, Home returns. Pick points in the picture",
   );
   const stand = makePainter(surface, cloud, frame);
   const drawMarks = makeMarks(surface, cloud);
-  const showScale = makeColorScale(main, cloud);
-  const side = make("div", "explorer-cloud-side", frame.stage);
+  const showScale = makeColorScale(surface, cloud);
+  const side = make("div", "explorer-cloud-side", frame.side);
   const canvas = makeCanvas(side, cloud.width, cloud.height, "The camera's picture");
   getContext(canvas).putImageData(image, 0, 0);
   makePicker({ model, frame, canvas, label: "The camera's picture" });

@@ -26,6 +26,10 @@ import { FARTHER, INSIDE, NEARER, NO_SURFACE } from "./_shared.js";
 const BINS = 50;
 const KINDS = ["nearer than the range", "in the range", "farther than the range", "no surface"];
 
+const LONGEST =
+  "0.65 to 2.10 m holds 99.9 % of the 300,000 surface pixels. The same range in the raw buffer: " +
+  "0.9600 to 0.9900. Pixel (600, 400): 1.2345 m = 1234.5 mm, raw 0.98765, farther than the range.";
+
 export default defineView("depth-range", start);
 
 /**
@@ -47,7 +51,9 @@ async function start(model, frame) {
   const tag = makeTag(holder);
   const paint = makePainter(model, canvas, pixels, valid);
   const bar = makeColorBar(pictures);
-  const charts = makeCharts(frame.stage, model, reading, spotlight.show);
+  const charts = makeCharts(frame.side, model, reading, spotlight.show);
+
+  frame.reserve(LONGEST);
 
   /** @type {Pixel | null} */
   let hovered = null;

@@ -23,19 +23,15 @@ export default defineView("scene", start);
 async function start(model, frame) {
   let shown = await readFirst(model);
   const { width, height } = shown;
-  const stage = make("div", "explorer-scene", frame.stage);
-  const color = makeCanvas(
-    stage,
-    width,
-    height,
-    "Color: turn the head with the arrow keys or drag",
-  );
+  const label = "Color: turn the head with the arrow keys or drag";
+  const color = makeCanvas(frame.stage, width, height, label);
   color.classList.add("explorer-scene-color");
   makeLookControls(model, color);
-  const depth = makeCanvas(stage, width, height, "Depth");
+  const depth = makeCanvas(frame.side, width, height, "Depth");
   makePicker({ model, frame, canvas: depth, label: "Depth picture: read one pixel" });
   const paint = makePainter(model, color, depth);
   const note = makeNote(frame);
+  frame.reserve(inWords({ ...describe(model, shown), pixel_depth: 1 }, [100, 100]));
 
   const again = drawOnChange(model, frame, () => {
     const values = describe(model, shown);
