@@ -106,6 +106,12 @@ def check_transform(value: Any) -> np.ndarray:
     return matrix
 
 
+def find_stretch(fov_y_deg: float, true_fov_y_deg: float) -> float:
+    """Return how many times too wide a cloud is with an assumed field of view."""
+    half, true_half = np.radians([fov_y_deg / 2, true_fov_y_deg / 2])
+    return float(np.tan(half) / np.tan(true_half))
+
+
 def check_fov(fov_y: Any, limits: tuple[float, float]) -> float:
     """Return an angle in radians as one of the slider's, in degrees."""
     if isinstance(fov_y, bool) or not isinstance(fov_y, numbers.Real):

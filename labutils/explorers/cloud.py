@@ -31,6 +31,7 @@ from labutils.explorers._cloud_start import (
     check_fov,
     check_transform,
     find_limits,
+    find_stretch,
     make_start_orbit,
 )
 from labutils.explorers._goal import Goal, GoalPart
@@ -87,20 +88,16 @@ class CloudView(PixelView):
     @property
     def assumed_K(self) -> np.ndarray:  # noqa: N802 - the field's name
         """Intrinsic matrix that belongs to the field of view of the slider."""
-        return self._assume(self.stretch)
+        return self._assume(self.fov_y_deg)
 
     @property
     def stretch(self) -> float:
         """Ratio by which the field of view of the slider makes the cloud too wide."""
-        return self._find_stretch(self.fov_y_deg)
+        return find_stretch(self.fov_y_deg, self.true_fov_y_deg)
 
-    def _find_stretch(self, fov_y_deg: float) -> float:
-        half, true_half = np.radians([fov_y_deg / 2, self.true_fov_y_deg / 2])
-        return float(np.tan(half) / np.tan(true_half))
-
-    def _assume(self, stretch: float) -> np.ndarray:
+    def _assume(self, fov_y_deg: float) -> np.ndarray:
         K = np.array(self.true_K)
-        K[[0, 1], [0, 1]] /= stretch
+        K[[0, 1], [0, 1]] /= find_stretch(fov_y_deg, self.true_fov_y_deg)
         return K
 
     def compute(self) -> dict[str, Any]:
@@ -147,7 +144,7 @@ class CloudView(PixelView):
 
     def draw_poster(self) -> np.ndarray:
         """Draw the cloud from where the view starts, with the field of view it starts with."""
-        K = self._assume(self._find_stretch(self.start["fov_y_deg"]))
+        K = self._assume(self.start["fov_y_deg"])
         points, colors = depth_to_pointcloud(self.depth, K, decode_rgb(self.rgb_png))
         T_world_cam = np.array(self.T_world_cam) if self.T_world_cam else None
         return draw_cloud(points, colors, T_world_cam, self.start["orbit"])
@@ -238,6 +235,8 @@ def explore_cloud(
     limits = find_limits(points, K, depth.shape[0], pose)
     # one row: of a flat array OpenCV 4 makes a column, and OpenCV 5 a row
     turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[None], cv2.COLORMAP_TURBO)
+    first_fov_deg = limits.fov_y_deg if fov_y is None else check_fov(fov_y, limits.fov)
+    stretch = find_stretch(first_fov_deg, limits.fov_y_deg)
     view = CloudView(
         label="Point cloud explorer",
         help=(
@@ -253,10 +252,10 @@ def explore_cloud(
         faces=[] if faces is None else check_faces(faces, depth),
         depth_limits=limits.depth,
         height_limits=limits.height,
-        fov_y_deg=limits.fov_y_deg if fov_y is None else check_fov(fov_y, limits.fov),
+        fov_y_deg=first_fov_deg,
         far=limits.far[1],
         pixel=[] if pixel is None else list(check_pixel("pixel", pixel, *depth.shape[::-1])),
-        orbit=make_start_orbit(points, pose),
+        orbit=make_start_orbit(points * [stretch, stretch, 1], pose),
     )
     explorer = CloudExplorer(
         view,
@@ -268,7 +267,7 @@ def explore_cloud(
     )
     if faces is not None and fov_y is not None:
         explorer.goal = Goal(
-            f"Make {' and '.join(faces)} meet at a right angle again: find the field of view.",
+            f"Make {' and '.join(faces)} meet at a right angle again.",
             GoalPart("angle_deg", "angle", *_RIGHT_ANGLE_DEG, unit="°", digits=1),
         )
     return explorer

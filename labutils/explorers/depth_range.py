@@ -43,8 +43,8 @@ from labutils.explorers._modules import join_modules, join_styles
 BINS = 50
 #: End of the slider in meters, unless something lies farther away.
 _USUAL_END = 5.0
-#: The goal: a range as wide as the tightest that holds every surface, and this much wider at most.
-_WIDE_ENOUGH = 1.05
+#: The goal: at most this wide, in percent of the tightest range that holds every surface.
+_WIDE_ENOUGH = 105.0
 #: Who leaves out this share of the surfaces is as far from the goal as can be.
 _MANY = 0.05
 
@@ -72,8 +72,8 @@ class DepthRangeView(PixelView):
     def compute(self) -> dict[str, Any]:
         """Compute the shares of the surface pixels, both histograms, and what one pixel reads.
 
-        What is no surface, as the sky in a window, is counted apart. `too_wide` is how many times
-        as wide the range is as the tightest one that holds every surface.
+        What is no surface, as the sky in a window, is counted apart. `width_percent` is how wide
+        the range is: 100 is the tightest one that holds every surface.
         """
         steps = decode_steps(self.depth_png)
         limits = Limits(*(to_step(one) for one in self.range_m))
@@ -90,7 +90,7 @@ class DepthRangeView(PixelView):
             "share_inside": float(100 * kinds[INSIDE] / surface.size),
             "share_farther": float(100 * kinds[FARTHER] / surface.size),
             "no_surface": int(kinds[NO_SURFACE]),
-            "too_wide": (self.range_m[1] - self.range_m[0]) / tightest,
+            "width_percent": 100 * (self.range_m[1] - self.range_m[0]) / tightest,
             "raw_range": self._to_raw(np.array(self.range_m)).tolist(),
             "raw_closest": float(self._to_raw(surface.min() * DEPTH_STEP)),
             "metric_bins": np.bincount(metric, minlength=BINS).tolist(),
@@ -199,10 +199,8 @@ def explore_depth_range(
         view, {"range_m": slider, "color_map": make_choice("colors", list(COLOR_MAPS))}
     )
     explorer.goal = Goal(
-        "Hold every surface in the tightest range: at most 5 % wider than it has to be.",
-        GoalPart(
-            "left_out", "surface pixels left out", high=0, digits=0, scale=_MANY * surface.size
-        ),
-        GoalPart("too_wide", "width", high=_WIDE_ENOUGH, unit=" ×"),
+        "All surfaces, in a range at most 5 % wider than needed.",
+        GoalPart("left_out", "left out", high=0, unit=" px", digits=0, scale=_MANY * surface.size),
+        GoalPart("width_percent", "width", high=_WIDE_ENOUGH, unit=" %", digits=0),
     )
     return explorer

@@ -243,10 +243,9 @@ def explore_stereo(
         },
     )
     explorer.goal = Goal(
-        f"Know how far a point is to {_WELL_MM:g} mm: one that both eyes see, "
-        f"at least {_FAR_AWAY:g} m away.",
-        GoalPart("shared_depth", "seen by both at", low=_FAR_AWAY, unit=" m"),
-        GoalPart("error_mm", "off by up to", high=_WELL_MM, unit=" mm", digits=1),
+        f"Know a point {_FAR_AWAY:g} m away or farther to {_WELL_MM:g} mm.",
+        GoalPart("shared_depth", "both eyes see it at", low=_FAR_AWAY, unit=" m"),
+        GoalPart("error_mm", "off by", high=_WELL_MM, unit=" mm", digits=1),
     )
     return explorer
 

@@ -12,10 +12,12 @@ const NAMES = new Map([
 ]);
 
 /**
- * Make the bar; `show` takes its colors and range, `mark` a depth and its kind.
+ * Make the bar, and elsewhere the key of the three kinds; `show` takes its colors and range, `mark` a
+ * depth and its kind.
  * @param {Element} parent
+ * @param {Element} keyParent
  */
-export function makeColorBar(parent) {
+export function makeColorBar(parent, keyParent) {
   const holder = make("div", "explorer-colorbar", parent);
   const bar = make("div", "explorer-colorbar-bar", holder);
   const canvas = makeCanvas(bar, 256, 1, "Color bar");
@@ -25,7 +27,7 @@ export function makeColorBar(parent) {
   const mark = make("div", "explorer-colorbar-mark", bar);
   const scale = make("div", "explorer-colorbar-scale", holder);
   const ends = [0, 1, 2].map(() => make("span", "", scale));
-  const key = make("div", "explorer-key", holder);
+  const key = make("div", "explorer-key", keyParent);
   const items = new Map(
     [...NAMES].map(([kind, name]) => {
       const item = make("span", "explorer-key-item", key);

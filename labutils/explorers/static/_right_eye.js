@@ -23,6 +23,7 @@ export function makeRightEye(parent, holder, picture, depths) {
   const square = makeSquare(holder);
   const strip = make("div", "explorer-picker explorer-strip", parent);
   const canvas = makeCanvas(strip, width, rows, "The same rows, as the right eye sees them");
+  makeEyeName(strip, "right eye, same rows");
   const squareBelow = makeSquare(strip);
   const context = getContext(canvas);
   const image = context.createImageData(width, rows);
@@ -64,6 +65,17 @@ export function makeRightEye(parent, holder, picture, depths) {
       );
     },
   };
+}
+
+/**
+ * Say over a picture whose it is.
+ * @param {HTMLElement} holder
+ * @param {string} text
+ */
+export function makeEyeName(holder, text) {
+  const name = make("div", "explorer-tag explorer-eye-name", holder);
+  name.setAttribute("aria-hidden", "true"); // the canvas has a name
+  name.textContent = text;
 }
 
 /** @param {HTMLElement} holder */

@@ -314,8 +314,8 @@ interface RangeCounts {
   share_inside: number;
   share_farther: number;
   no_surface: number;
-  /** How many times as wide the range is as the tightest that holds every surface. */
-  too_wide: number;
+  /** How wide the range is: 100 is the tightest that holds every surface. */
+  width_percent: number;
   raw_range: Pair;
   raw_closest: number;
   metric_bins: number[];

@@ -55,6 +55,8 @@ async function start(model, frame) {
   makePicker({ model, frame, canvas, label: "The camera's picture" });
   makeOrbitButtons(side, model, cloud.orbitFromCamera);
 
+  frame.reserve(makeLongest(cloud));
+
   const countPoints = makeCounter(cloud);
   const colors = new Uint32Array(cloud.steps.length);
   let [colored, version] = ["", 0];
@@ -198,7 +200,7 @@ function makeColorScale(parent, cloud) {
 function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, model, cloud) {
   const right = Math.abs(stretch - 1) < 5e-4;
   let text = `${points.toLocaleString("en-US")} points. f = ${f.toFixed(1)} px`;
-  text += right ? ", the camera's own" : ` makes all ${stretch.toFixed(2)} times as wide as it is`;
+  text += right ? ", the camera's own" : `: all ${stretch.toFixed(2)} times as wide as it is`;
   if (angle_deg !== null) {
     const names = cloud.faces.map(([name]) => name).join(" and ");
     text += `; ${names} meet at ${angle_deg.toFixed(1)}°`;
@@ -209,6 +211,20 @@ function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, m
   if (!point_camera) return `${text}: no surface closer than ${model.get("far").toFixed(2)} m.`;
   text += ` is at ${inMeters(point_camera)} from the camera`;
   return point_world ? `${text}, at ${inMeters(point_world)} in the world.` : `${text}.`;
+}
+
+/**
+ * As long a text as may come, in as many lines.
+ * @param {Cloud} cloud
+ */
+function makeLongest({ faces, worldFromCamera }) {
+  const angle = faces.length ? `; ${faces[0][0]} and ${faces[1][0]} meet at 101.3°` : "";
+  const point = "(-0.250, -0.091, 0.831) m";
+  const world = worldFromCamera ? `, at ${point} in the world` : "";
+  return (
+    `297,179 points. f = 461.0 px: all 1.26 times as wide as it is${angle}.\n` +
+    `Pixel (600, 400) is at ${point} from the camera${world}.`
+  );
 }
 
 /**

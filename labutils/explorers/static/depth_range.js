@@ -50,8 +50,8 @@ async function start(model, frame) {
   const spotlight = makeSpotlight(holder, depth);
   const tag = makeTag(holder);
   const paint = makePainter(model, canvas, pixels, valid);
-  const bar = makeColorBar(pictures);
   const charts = makeCharts(frame.side, model, reading, spotlight.show);
+  const bar = makeColorBar(pictures, frame.side);
 
   frame.reserve(LONGEST);
 
@@ -132,7 +132,7 @@ function readDepths(model, pixels, valid) {
         share_inside: (100 * kinds[INSIDE]) / surfaces,
         share_farther: (100 * kinds[FARTHER]) / surfaces,
         no_surface: kinds[NO_SURFACE],
-        too_wide: (high - low) / Math.max(farthest - closest, step),
+        width_percent: (100 * (high - low)) / Math.max(farthest - closest, step),
         raw_range: [metricToRaw(low, ...clip), metricToRaw(high, ...clip)],
         raw_closest: metricToRaw(closest, ...clip),
         ...bins,

@@ -8,7 +8,7 @@ import { makeSpotlight, makeTag, watchPixel } from "./_hover.js";
 import { makePicker } from "./_picker.js";
 import { decodePng, toImageData } from "./_png.js";
 import { formatInterval, makeRays } from "./_rays.js";
-import { makeRightEye } from "./_right_eye.js";
+import { makeEyeName, makeRightEye } from "./_right_eye.js";
 import { SEEN } from "./_shared.js";
 import {
   findDisparity,
@@ -20,7 +20,7 @@ import {
 
 const LONGEST =
   "Pixel (600, 400) at 1.715 m: disparity 21.62 px over 100 mm; for the right eye it is at column " +
-  "578.4, but something nearer hides it. A match 0.5 px off gives 1.676 to 1.756 m: up to 40.6 mm off.";
+  "578.4, but something nearer hides it. A match 0.5 px off gives 1.676 to 1.756 m.";
 
 export default defineView("stereo", start);
 
@@ -45,6 +45,7 @@ async function start(model, frame) {
   const holder = makePicker({ model, frame, canvas, label });
   const spotlight = makeSpotlight(holder, depth);
   const eye = makeRightEye(frame.stage, holder, picture, depths);
+  makeEyeName(holder, "left eye");
   const tag = makeTag(holder);
   makeKey(frame.stage);
   const pair = make("div", "explorer-pair explorer-stereo-plots", frame.side);
@@ -119,8 +120,8 @@ export function describePair(u, row, focal, baseline, error) {
 function makeKey(parent) {
   const key = make("div", "explorer-key", parent);
   for (const [shape, text] of [
-    ["", "the point in this picture, of the left eye"],
-    ["explorer-right-mark", "its place in the right eye's picture"],
+    ["", "the point"],
+    ["explorer-right-mark", "where the right eye sees it"],
   ]) {
     const item = make("span", "explorer-key-item", key);
     make("span", `explorer-mark explorer-key-mark ${shape}`, item).setAttribute(
@@ -147,14 +148,10 @@ function inWords(values, [u, v], baseline, error) {
     `at column ${values.u_right.toFixed(1)}`,
     `at column ${hidden}`,
   ];
-  const worst =
-    values.error_mm === null
-      ? "it could be infinitely far"
-      : `up to ${values.error_mm.toFixed(1)} mm off`;
   return (
     `Pixel (${u}, ${v}) at ${values.depth.toFixed(3)} m: disparity ${values.disparity.toFixed(2)} px ` +
     `over ${(1000 * baseline).toFixed(0)} mm; for the right eye it is ${column[values.right]}. ` +
-    `A match ${error.toFixed(1)} px off gives ${formatInterval(values.z_near, values.z_far)}: ${worst}.`
+    `A match ${error.toFixed(1)} px off gives ${formatInterval(values.z_near, values.z_far)}.`
   );
 }
 
