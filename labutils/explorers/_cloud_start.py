@@ -20,7 +20,7 @@ _FOV_LIMITS_DEG = (1.0, 150.0)
 _FAR_STEP = 0.1
 #: First place to look from: beside and above the camera, so that its rays can be seen.
 _AZIMUTH_DEG, _ELEVATION_DEG = 40.0, -5.0
-_DISTANCE = 1.5  # in radii of the cloud
+_DISTANCE = 1.65  # in radii of the cloud
 #: How far from the middle of the cloud toward the camera one looks, so that both are in sight.
 _TOWARD_CAMERA = 0.05
 

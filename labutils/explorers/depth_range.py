@@ -199,8 +199,8 @@ def explore_depth_range(
         view, {"range_m": slider, "color_map": make_choice("colors", list(COLOR_MAPS))}
     )
     explorer.goal = Goal(
-        "All surfaces, in a range at most 5 % wider than needed.",
-        GoalPart("left_out", "left out", high=0, unit=" px", digits=0, scale=_MANY * surface.size),
+        "Every surface, in a range at most 5 % too wide.",
+        GoalPart("left_out", "left out", high=0, digits=0, scale=_MANY * surface.size),
         GoalPart("width_percent", "width", high=_WIDE_ENOUGH, unit=" %", digits=0),
     )
     return explorer

@@ -20,7 +20,7 @@ export function makeErrorCurve(parent, choose) {
   const format = (mm) => (mm < 1000 ? `${mm} mm` : `${mm / 1000} m`);
   const y = { label: "depth error", log: true, format };
   const x = { label: "depth (m)", log: true };
-  const plot = makePlot(parent, { height: 220, left: 66, x, y });
+  const plot = makePlot(parent, { height: 190, left: 66, x, y });
   plot.setLimits([NEAREST, FARTHEST], [LEAST_MM, MOST_MM]);
   const { area, inside, above } = plot;
   const tall = { y: area.top, height: area.bottom - area.top };

@@ -23,7 +23,7 @@ export function makeRightEye(parent, holder, picture, depths) {
   const square = makeSquare(holder);
   const strip = make("div", "explorer-picker explorer-strip", parent);
   const canvas = makeCanvas(strip, width, rows, "The same rows, as the right eye sees them");
-  makeEyeName(strip, "right eye, same rows");
+  makeEyeName(strip, "right eye");
   const squareBelow = makeSquare(strip);
   const context = getContext(canvas);
   const image = context.createImageData(width, rows);

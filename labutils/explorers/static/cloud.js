@@ -55,7 +55,7 @@ async function start(model, frame) {
   makePicker({ model, frame, canvas, label: "The camera's picture" });
   makeOrbitButtons(side, model, cloud.orbitFromCamera);
 
-  frame.reserve(makeLongest(cloud));
+  frame.reserve(makeLongest(cloud, hasGoal(model)));
 
   const countPoints = makeCounter(cloud);
   const colors = new Uint32Array(cloud.steps.length);
@@ -201,7 +201,7 @@ function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, m
   const right = Math.abs(stretch - 1) < 5e-4;
   let text = `${points.toLocaleString("en-US")} points. f = ${f.toFixed(1)} px`;
   text += right ? ", the camera's own" : `: all ${stretch.toFixed(2)} times as wide as it is`;
-  if (angle_deg !== null) {
+  if (angle_deg !== null && !hasGoal(model)) {
     const names = cloud.faces.map(([name]) => name).join(" and ");
     text += `; ${names} meet at ${angle_deg.toFixed(1)}°`;
   }
@@ -213,12 +213,19 @@ function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, m
   return point_world ? `${text}, at ${inMeters(point_world)} in the world.` : `${text}.`;
 }
 
+/** Whether the line of the goal tells the angle. */
+function hasGoal(/** @type {CloudModel} */ model) {
+  return "parts" in (model.get("goal") ?? {});
+}
+
 /**
  * As long a text as may come, in as many lines.
  * @param {Cloud} cloud
+ * @param {boolean} isAngleTold elsewhere
  */
-function makeLongest({ faces, worldFromCamera }) {
-  const angle = faces.length ? `; ${faces[0][0]} and ${faces[1][0]} meet at 101.3°` : "";
+function makeLongest({ faces, worldFromCamera }, isAngleTold) {
+  const angle =
+    faces.length && !isAngleTold ? `; ${faces[0][0]} and ${faces[1][0]} meet at 101.3°` : "";
   const point = "(-0.250, -0.091, 0.831) m";
   const world = worldFromCamera ? `, at ${point} in the world` : "";
   return (

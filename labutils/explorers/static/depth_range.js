@@ -27,8 +27,8 @@ const BINS = 50;
 const KINDS = ["nearer than the range", "in the range", "farther than the range", "no surface"];
 
 const LONGEST =
-  "0.65 to 2.10 m holds 99.9 % of the 300,000 surface pixels. The same range in the raw buffer: " +
-  "0.9600 to 0.9900. Pixel (600, 400): 1.2345 m = 1234.5 mm, raw 0.98765, farther than the range.";
+  "0.65 to 2.10 m holds 99.9 % of the 300,000 surface pixels. In the raw buffer: 0.9600 to 0.9900. " +
+  "Pixel (600, 400): 1.2345 m, raw 0.98765, farther than the range.";
 
 export default defineView("depth-range", start);
 
@@ -217,7 +217,7 @@ function inWords({ surfaces, left_out, share_inside, raw_range }, [near, far]) {
     : `all ${all}`;
   return (
     `${near.toFixed(2)} to ${far.toFixed(2)} m holds ${held}. ` +
-    `The same range in the raw buffer: ${low} to ${high}.`
+    `In the raw buffer: ${low} to ${high}.`
   );
 }
 
@@ -230,7 +230,7 @@ function inPixelWords({ pixel_depth: meters, pixel_raw, pixel_kind }, [u, v]) {
   if (meters === null || pixel_raw === null || pixel_kind === null)
     return ` Pixel (${u}, ${v}): no depth.`;
   return (
-    ` Pixel (${u}, ${v}): ${meters.toFixed(4)} m = ${(1000 * meters).toFixed(1)} mm, ` +
+    ` Pixel (${u}, ${v}): ${meters.toFixed(4)} m, ` +
     `raw ${pixel_raw.toFixed(5)}, ${KINDS[pixel_kind]}.`
   );
 }
