@@ -257,6 +257,16 @@ def decode_rgb(png: bytes) -> np.ndarray:
     return cv2.cvtColor(_decode(png), cv2.COLOR_BGR2RGB)
 
 
+def encode_mask(mask: np.ndarray) -> bytes:
+    """Compress a mask, bool (H, W)."""
+    return _encode(mask.astype(np.uint8) * 255)
+
+
+def decode_mask(png: bytes) -> np.ndarray:
+    """Read back what `encode_mask` wrote: bool (H, W)."""
+    return _decode(png) > 0
+
+
 def read_size(png: bytes) -> tuple[int, int]:
     """Return width and height of a PNG, from its header alone."""
     if len(png) < 24:

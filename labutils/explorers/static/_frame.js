@@ -83,6 +83,8 @@ function makeFrame({ model, el }, name) {
     reserve(longest) {
       room.textContent = longest;
     },
+    /** Hide the goal for as long as nothing shown can reach it; its place stays. */
+    suspendGoal: goal.suspend,
     /** Tell the result: in words, and as values that a test reads. */
     tell(text, values) {
       if (readout.textContent !== text) readout.textContent = text;

@@ -45,6 +45,9 @@ export function makeGoal(parent, goal) {
   set(goal);
   return {
     set,
+    suspend(/** @type {boolean} */ isSuspended) {
+      root.toggleAttribute("data-suspended", isSuspended);
+    },
     /** @param {Record<string, any>} values */
     show(values) {
       if (!current) return;

@@ -60,7 +60,10 @@ type FovModel = ViewModel<
   { wide_png: DataView<ArrayBuffer>; max_fov_deg: number; sizes: Pair[]; landmarks: Landmark[] },
   { fov_y_deg: number; size: number }
 >;
-type HsvModel = ViewModel<{ rgb_png: DataView<ArrayBuffer> }, HueEnds & HsvParameters & Picked>;
+type HsvModel = ViewModel<
+  { rgb_png: DataView<ArrayBuffer>; truth_png: DataView<ArrayBuffer> },
+  HueEnds & HsvParameters & Picked
+>;
 interface HueEnds {
   hue_from: number;
   hue_to: number;
@@ -112,7 +115,10 @@ interface Landmark {
   x: number;
   z: number;
   color: string;
+  half_tan: number | null;
 }
+/** Pixel and direction in degrees that one points at; a column has no row. */
+type Ray = { u: number; right: number } & ({ v: number; up: number } | { v: null; up: null });
 /** A name and three of its pixels. */
 type Face = [string, Pair[]];
 interface Orbit {
@@ -132,6 +138,7 @@ interface Frame {
   foot: HTMLElement;
   cleanups: (() => void)[];
   reserve(longest: string): void;
+  suspendGoal(isSuspended: boolean): void;
   tell(text: string, values: object): void;
   fail(error: unknown): void;
   destroy(): void;
@@ -300,7 +307,12 @@ interface WebcamParts {
   accept(video: HTMLVideoElement): void;
   onChange(running: boolean): void;
 }
-type HsvValues = PixelValues & { share: number; count: number; centroid: Pair | null };
+type HsvValues = PixelValues & {
+  share: number;
+  count: number;
+  centroid: Pair | null;
+  iou: number | null;
+};
 interface Clip {
   depth: number;
   near: number;
