@@ -312,3 +312,17 @@ def test_it_can_begin_with_a_wrong_field_of_view(frame: Frame) -> None:
     # the poster stays what the view shows first
     np.testing.assert_array_equal(bent.view.draw_poster(), poster)
     assert (poster != explore_cloud(*arguments, faces=FACES).view.draw_poster()).any()
+
+
+def test_the_goal_of_a_bent_cloud_is_the_right_angle(frame: Frame) -> None:
+    rgb, depth, K, _, T_world_cam = frame
+    bent = explore_cloud(rgb, depth, K, T_world_cam, faces=FACES, fov_y=np.radians(55))
+    assert bent.goal is not None
+    assert bent.goal.text == "Make table and wall meet at a right angle again."
+    reached = []
+    for fov_y_deg in np.arange(40, 50, 0.5):  # the steps of its slider
+        bent.move(fov_y_deg=float(fov_y_deg))
+        if bent.goal_is_reached:
+            reached.append(float(fov_y_deg))
+    assert reached == [45.0]
+    assert explore_cloud(rgb, depth, K, T_world_cam, faces=FACES).goal is None

@@ -259,3 +259,24 @@ def test_limits_must_be_in_order_and_on_the_slider(limits: tuple[float, float]) 
 def test_clip_planes_must_be_in_order() -> None:
     with pytest.raises(ValueError, match=r"expected 0 < clip\[0\] < clip\[1\]"):
         explore_depth_range(np.ones((4, 4)), clip=(1.0, 0.5))
+
+
+def test_the_goal_is_every_surface_in_the_tightest_range(depth: np.ndarray) -> None:
+    explorer = explore_depth_range(depth, clip=CLIP)
+    meters = depth[find_valid_depth(depth)]
+    near, far = float(meters.min()) - 0.005, float(meters.max()) + 0.005
+    span = far - near
+    # the range at first holds every surface too: that alone is not the goal
+    assert explorer.values["left_out"] == 0
+    assert explorer.values["width_percent"] > 200
+    assert not explorer.goal_is_reached
+    for low, high, reached in (
+        (near, far, True),
+        (near, far + 0.03 * span, True),
+        (near, far + 0.07 * span, False),
+        (near + 0.02, far, False),
+        (near, far - 0.02, False),
+        (1.2, 1.2, False),
+    ):
+        explorer.move(range_m=[low, high])
+        assert explorer.goal_is_reached is reached, (low, high)

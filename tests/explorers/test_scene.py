@@ -282,3 +282,15 @@ def test_the_page_reads_the_picture_as_it_was_drawn(explorer: SceneExplorer) -> 
     )
     np.testing.assert_array_equal(color, rgb.ravel())
     np.testing.assert_array_equal(depth, steps.ravel())
+
+
+def test_the_goal_is_the_ball_in_the_middle_of_the_picture(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
+    explorer = explore_scene(*scene)
+    assert not explorer.goal_is_reached
+    explorer.move(pan_deg=20.5, tilt_deg=29.0)
+    assert explorer.goal_is_reached
+    explorer.move(pan_deg=-40.0)
+    assert explorer.values["ball_off_px"] is None
+    assert not explorer.goal_is_reached

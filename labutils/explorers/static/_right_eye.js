@@ -5,7 +5,7 @@ import { getContext, make, makeCanvas } from "./_frame.js";
 import { HIDDEN, OUTSIDE } from "./_shared.js";
 import { findDisparity } from "./_stereo.js";
 
-const STRIP_ROWS = 80;
+const STRIP_ROWS = 72;
 
 /**
  * Make the strip below the picture, a mark in both where the right eye sees the point, and a line as

@@ -47,13 +47,13 @@ async function start(model, frame) {
   const eye = makeRightEye(frame.stage, holder, picture, depths);
   makeEyeName(holder, "left eye");
   const tag = makeTag(holder);
-  makeKey(frame.stage);
   const pair = make("div", "explorer-pair explorer-stereo-plots", frame.side);
   const top = makeRays(pair);
   const curve = makeErrorCurve(pair, (between) => {
     spotlight.show(between && [toStep(between[0], step), toStep(between[1], step)]);
   });
 
+  makeKey(frame.side);
   frame.reserve(LONGEST);
 
   /** @type {Pixel | null} */
