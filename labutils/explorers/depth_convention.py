@@ -173,7 +173,7 @@ def explore_depth_convention(
         },
     )
     explorer.goal = Goal(
-        "At 2 m, make one step of a 16-bit buffer worth 1 mm at most.",
+        "At 2 m, make one step of 16 bits 1 mm at most.",
         GoalPart("depth", "depth", low=1.95, high=2.05, unit=" m"),
         GoalPart("step16_mm", "step", high=1, unit=" mm"),
     )

@@ -20,6 +20,8 @@ export function makeGoal(parent, goal) {
   bar.setAttribute("aria-hidden", "true");
   const fill = make("span", "", bar);
   const told = make("span", "explorer-goal-told", line);
+  /** @type {HTMLElement[]} */
+  let lines = [];
   const mark = make("span", "explorer-goal-mark", line);
   const spoken = make("p", "explorer-goal-spoken", root);
   spoken.setAttribute("role", "status");
@@ -41,6 +43,8 @@ export function makeGoal(parent, goal) {
     if (!current) return;
     make("strong", "", aim).textContent = "Goal";
     aim.append(` ${current.text}`);
+    told.replaceChildren();
+    lines = current.parts.map(() => make("span", "", told));
   };
   set(goal);
   return {
@@ -64,7 +68,9 @@ export function makeGoal(parent, goal) {
       const state = isReached ? "reached" : wasReached ? "before" : "open";
       if (root.dataset.state !== state) root.dataset.state = state;
       fill.style.width = `${(100 * share).toFixed(1)}%`;
-      told.textContent = current.parts.map((part) => describe(part, values[part.value])).join("; ");
+      for (const [place, part] of current.parts.entries()) {
+        lines[place].textContent = describe(part, values[part.value]);
+      }
       mark.textContent = isReached ? REACHED : wasReached ? BEFORE : "";
     },
   };
@@ -87,9 +93,8 @@ function findDistance({ low, high }, value) {
  * @param {number | null | undefined} value
  */
 function describe({ name, low, high, unit, digits }, value) {
-  const write = (/** @type {number} */ one) => one.toFixed(digits) + unit;
-  const found = typeof value === "number" ? write(value) : "none";
-  const [from, to] = [low, high].map((one) => (one === null ? "" : write(one)));
+  const found = typeof value === "number" ? value.toFixed(digits) + unit : "none";
+  const [from, to] = [low, high].map((one) => one?.toFixed(digits) ?? "");
   const wanted = from && to ? `${from} to ${to}` : from ? `at least ${from}` : `at most ${to}`;
   return `${name} ${found} (${wanted})`;
 }

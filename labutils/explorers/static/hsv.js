@@ -13,7 +13,7 @@ const LEAST_SHARE = 0.15; // of the place, for either side of a picture
 const HINT = "Tap the picture to read a pixel.";
 const LONGEST =
   "Selected: 100.0% (307,200 pixels). Centroid: (320, 240). Pixel (320, 240): RGB 100 100 100, " +
-  "HSV 100 100 100, excluded by hue and by saturation and by value, filled in by closing.";
+  "HSV 100 100 100, excluded by hue, saturation, value, but filled in by closing.";
 
 export default defineView("hsv", start);
 
@@ -135,9 +135,9 @@ function describePicked(values, pixel) {
   if (!values.pixel_hsv) return ` ${HINT}`;
   const [rgb, hsv] = [values.pixel_rgb.join(" "), values.pixel_hsv.join(" ")];
   const told = ` Pixel (${pixel.join(", ")}): RGB ${rgb}, HSV ${hsv}, `;
-  const reasons = values.pixel_excluded_by.join(" and by ");
+  const reasons = values.pixel_excluded_by.join(", ");
   if (reasons) {
-    return `${told}excluded by ${reasons}${values.pixel_selected ? ", filled in by closing" : ""}.`;
+    return `${told}excluded by ${reasons}${values.pixel_selected ? ", but filled in by closing" : ""}.`;
   }
-  return `${told}inside${values.pixel_selected ? "" : ", removed by opening"}.`;
+  return `${told}inside${values.pixel_selected ? "" : ", but removed by opening"}.`;
 }
