@@ -16,6 +16,7 @@ import numpy as np
 import traitlets
 
 from labutils._guards import check_depth_image, check_pixel, check_rgb_image
+from labutils.explorers._goal import Goal
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -34,6 +35,8 @@ class View(anywidget.AnyWidget):
     help = traitlets.Unicode().tag(sync=True)
     #: The values that Reset brings back, by the name of the trait.
     start = traitlets.Dict().tag(sync=True)
+    #: What is to be reached, as `Goal.to_trait` writes it; empty for nothing.
+    goal = traitlets.Dict().tag(sync=True)
 
     #: Traits a reader changes, by a control or in the picture.
     PARAMETERS: ClassVar[tuple[str, ...]] = ()
@@ -125,6 +128,22 @@ class Explorer(ipywidgets.VBox):  # type: ignore[misc]  # ipywidgets has no type
     def values(self) -> dict[str, Any]:
         """What the read-out tells, computed by labutils from the controls as they are now."""
         return self.view.compute()
+
+    @property
+    def goal(self) -> Goal | None:
+        """What the reader is to reach; None for nothing. Set it to ask for something else."""
+        return Goal.from_trait(self.view.goal)
+
+    @goal.setter
+    def goal(self, goal: Goal | None) -> None:
+        self.view.goal = {} if goal is None else goal.to_trait()
+
+    @property
+    def goal_is_reached(self) -> bool:
+        """Whether the values reach the goal as they are now; there has to be one."""
+        if self.goal is None:
+            raise ValueError("goal: expected one to reach, got None")
+        return self.goal.holds(self.values)
 
     def move(self, **values: Any) -> None:
         """Set controls from Python, as a hand would.
@@ -236,6 +255,16 @@ def decode_depth(png: bytes) -> np.ndarray:
 def decode_rgb(png: bytes) -> np.ndarray:
     """Read back what `encode_rgb` wrote: uint8 (H, W, 3), RGB."""
     return cv2.cvtColor(_decode(png), cv2.COLOR_BGR2RGB)
+
+
+def encode_mask(mask: np.ndarray) -> bytes:
+    """Compress a mask, bool (H, W)."""
+    return _encode(mask.astype(np.uint8) * 255)
+
+
+def decode_mask(png: bytes) -> np.ndarray:
+    """Read back what `encode_mask` wrote: bool (H, W)."""
+    return _decode(png) > 0
 
 
 def read_size(png: bytes) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ _FOV_LIMITS_DEG = (1.0, 150.0)
 _FAR_STEP = 0.1
 #: First place to look from: beside and above the camera, so that its rays can be seen.
 _AZIMUTH_DEG, _ELEVATION_DEG = 40.0, -5.0
-_DISTANCE = 1.8  # in radii of the cloud
+_DISTANCE = 1.65  # in radii of the cloud
 #: How far from the middle of the cloud toward the camera one looks, so that both are in sight.
 _TOWARD_CAMERA = 0.05
 
@@ -103,6 +104,25 @@ def check_transform(value: Any) -> np.ndarray:
         )
     check_pose(matrix[:3, 3], matrix[:3, :3])
     return matrix
+
+
+def find_stretch(fov_y_deg: float, true_fov_y_deg: float) -> float:
+    """Return how many times too wide a cloud is with an assumed field of view."""
+    half, true_half = np.radians([fov_y_deg / 2, true_fov_y_deg / 2])
+    return float(np.tan(half) / np.tan(true_half))
+
+
+def check_fov(fov_y: Any, limits: tuple[float, float]) -> float:
+    """Return an angle in radians as one of the slider's, in degrees."""
+    if isinstance(fov_y, bool) or not isinstance(fov_y, numbers.Real):
+        raise TypeError(f"fov_y: expected a number, got {type(fov_y).__name__} {fov_y!r}")
+    degrees = float(np.degrees(float(fov_y)))
+    if not limits[0] <= degrees <= limits[1]:
+        least, most = limits
+        raise ValueError(
+            f"fov_y: expected {least:g} to {most:g} degrees in radians, got {degrees:g} degrees"
+        )
+    return round(degrees, 1)
 
 
 def check_faces(faces: Mapping[str, Sequence[Sequence[int]]], depth: np.ndarray) -> list[list[Any]]:

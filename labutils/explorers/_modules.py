@@ -21,6 +21,8 @@ from pathlib import Path
 
 #: Where the modules and the style sheet lie.
 STATIC = Path(__file__).with_name("static")
+#: What every view has around its own.
+_SHEETS = ("explorer", "layout", "controls", "goal")
 
 _IMPORT = re.compile(r'^import \{(?P<names>[^}]*)\} from "\./(?P<module>\w+)\.js";\n', re.MULTILINE)
 _EXPORT = re.compile(
@@ -69,8 +71,8 @@ def join_modules(name: str) -> str:
 
 
 def join_styles(*names: str) -> str:
-    """Return the style sheet of all explorers, and those of the parts a view shows."""
-    return "\n".join((STATIC / f"{one}.css").read_text("utf-8") for one in ("explorer", *names))
+    """Return the style sheets of all explorers, and those of the parts a view shows."""
+    return "\n".join((STATIC / f"{one}.css").read_text("utf-8") for one in (*_SHEETS, *names))
 
 
 def _wrap(module: str, text: str) -> str:

@@ -9,7 +9,8 @@ import numpy as np
 
 from labutils._scene_guards import check_state
 from labutils.camera_utils import render_camera
-from labutils.cameras import get_camera_intrinsics
+from labutils.cameras import get_camera_intrinsics, get_camera_pose
+from labutils.projection import points_to_pixels
 from labutils.renderers.rays import RaycastRenderer
 
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 PAN, TILT, BALL = "neck_pan", "neck_tilt", "red_ball"
 #: Where the ball may lie: on the table top and not over its edge, in meters of the world.
 BALL_X, BALL_Y = (0.50, 1.40), (-0.66, 0.66)
+#: What is nearer than the middle of the ball by this many of its radii is not the ball.
+_HIDING = 1.5
 
 
 class ScenePose(NamedTuple):
@@ -69,12 +72,13 @@ class SceneCopy:
             raise ValueError(
                 f"model: expected {BALL} to be a mocap body, which data.mocap_pos moves"
             )
+        self._radius = float(model.geom_rbound[model.body_geomadr[body]])
         self.data = mujoco.MjData(model)
         self.data.qpos[:] = data.qpos
         self.data.mocap_pos[:] = data.mocap_pos
         self.data.mocap_quat[:] = data.mocap_quat
         self._renderer = RaycastRenderer(model, height, width)
-        _, fov_y = get_camera_intrinsics(model, camera_name, width, height)
+        self._K, fov_y = get_camera_intrinsics(model, camera_name, width, height)
         #: Field of view from top to bottom in degrees.
         self.fov_y_deg = float(np.degrees(fov_y))
         mujoco.mj_forward(model, self.data)
@@ -99,6 +103,17 @@ class SceneCopy:
     def draw(self) -> tuple[np.ndarray, np.ndarray]:
         """Cast one ray per pixel: color, uint8 (H, W, 3), and depth in meters, float32 (H, W)."""
         return render_camera(self._model, self.data, self._renderer, self._camera_name)
+
+    def find_ball(self, depth_metric: np.ndarray) -> tuple[float, float] | None:
+        """Find (u, v) of the ball's middle in a depth image of now; None where it is unseen."""
+        T_world_cam = get_camera_pose(self._model, self.data, self._camera_name)
+        middle = np.linalg.inv(T_world_cam) @ [*self.data.mocap_pos[self._ball], 1.0]
+        u, v = points_to_pixels(middle[None, :3], self._K)[0].tolist()
+        height, width = depth_metric.shape
+        if not (-0.5 <= u < width - 0.5 and -0.5 <= v < height - 0.5):  # neither does NaN, behind
+            return None
+        nearest = middle[2] - _HIDING * self._radius
+        return (u, v) if depth_metric[round(v), round(u)] > nearest else None
 
 
 def _find(model: mujoco.MjModel, kind: mujoco.mjtObj, name: str) -> int:

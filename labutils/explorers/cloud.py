@@ -28,10 +28,13 @@ from labutils.explorers._base import (
 from labutils.explorers._cloud_poster import VIEW_FOV_DEG, draw_cloud
 from labutils.explorers._cloud_start import (
     check_faces,
+    check_fov,
     check_transform,
     find_limits,
+    find_stretch,
     make_start_orbit,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.pointcloud import depth_to_pointcloud
 from labutils.projection import pixels_to_points
@@ -40,6 +43,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 _COLORS = ("RGB", "depth", "height")
+#: The goal: half a degree on either side of it.
+_RIGHT_ANGLE_DEG = (89.5, 90.5)
 
 
 class CloudView(PixelView):
@@ -83,15 +88,17 @@ class CloudView(PixelView):
     @property
     def assumed_K(self) -> np.ndarray:  # noqa: N802 - the field's name
         """Intrinsic matrix that belongs to the field of view of the slider."""
-        K = np.array(self.true_K)
-        K[[0, 1], [0, 1]] /= self.stretch
-        return K
+        return self._assume(self.fov_y_deg)
 
     @property
     def stretch(self) -> float:
         """Ratio by which the field of view of the slider makes the cloud too wide."""
-        half, true_half = np.radians([self.fov_y_deg / 2, self.true_fov_y_deg / 2])
-        return float(np.tan(half) / np.tan(true_half))
+        return find_stretch(self.fov_y_deg, self.true_fov_y_deg)
+
+    def _assume(self, fov_y_deg: float) -> np.ndarray:
+        K = np.array(self.true_K)
+        K[[0, 1], [0, 1]] /= find_stretch(fov_y_deg, self.true_fov_y_deg)
+        return K
 
     def compute(self) -> dict[str, Any]:
         """Compute what the read-out tells: points, f, how wrong it is, and the picked point."""
@@ -136,8 +143,8 @@ class CloudView(PixelView):
         )
 
     def draw_poster(self) -> np.ndarray:
-        """Draw the cloud as it is, from where the view starts."""
-        K = np.array(self.true_K)
+        """Draw the cloud from where the view starts, with the field of view it starts with."""
+        K = self._assume(self.start["fov_y_deg"])
         points, colors = depth_to_pointcloud(self.depth, K, decode_rgb(self.rgb_png))
         T_world_cam = np.array(self.T_world_cam) if self.T_world_cam else None
         return draw_cloud(points, colors, T_world_cam, self.start["orbit"])
@@ -182,6 +189,7 @@ def explore_cloud(
     *,
     faces: Mapping[str, Sequence[Sequence[int]]] | None = None,
     pixel: Sequence[int] | None = None,
+    fov_y: float | None = None,
 ) -> CloudExplorer:
     """Walk around the points of a color and a depth picture, and pick some.
 
@@ -201,6 +209,9 @@ def explore_cloud(
         measures the angle between them, which a wrong field of view bends.
     pixel : (u, v), optional
         The pixel picked first.
+    fov_y : float, optional
+        The angle from top to bottom assumed first, in radians: half to twice the camera's own,
+        which it is without this. With faces the goal is to find the camera's own.
 
     Returns
     -------
@@ -212,7 +223,8 @@ def explore_cloud(
     ------
     TypeError, ValueError
         If the pictures or K are not what `depth_to_pointcloud` takes, nothing lies within its
-        limits, the pose is none, a pixel lies outside or on nothing, or three lie on a line.
+        limits, the pose is none, a pixel lies outside or on nothing, three lie on a line, or the
+        angle is outside the limits of its slider.
     """
     depth = decode_depth(encode_depth(depth))  # what the page gets: every limit is derived from it
     points, _ = depth_to_pointcloud(depth, K, rgb)
@@ -223,6 +235,8 @@ def explore_cloud(
     limits = find_limits(points, K, depth.shape[0], pose)
     # one row: of a flat array OpenCV 4 makes a column, and OpenCV 5 a row
     turbo = cv2.applyColorMap(np.arange(256, dtype=np.uint8)[None], cv2.COLORMAP_TURBO)
+    first_fov_deg = limits.fov_y_deg if fov_y is None else check_fov(fov_y, limits.fov)
+    stretch = find_stretch(first_fov_deg, limits.fov_y_deg)
     view = CloudView(
         label="Point cloud explorer",
         help=(
@@ -238,12 +252,12 @@ def explore_cloud(
         faces=[] if faces is None else check_faces(faces, depth),
         depth_limits=limits.depth,
         height_limits=limits.height,
-        fov_y_deg=limits.fov_y_deg,
+        fov_y_deg=first_fov_deg,
         far=limits.far[1],
         pixel=[] if pixel is None else list(check_pixel("pixel", pixel, *depth.shape[::-1])),
-        orbit=make_start_orbit(points, pose),
+        orbit=make_start_orbit(points * [stretch, stretch, 1], pose),
     )
-    return CloudExplorer(
+    explorer = CloudExplorer(
         view,
         {
             "fov_y_deg": make_slider("fov_y", limits.fov, 0.5, unit="°", digits=1),
@@ -251,3 +265,9 @@ def explore_cloud(
             "color": make_choice("color", _COLORS),
         },
     )
+    if faces is not None and fov_y is not None:
+        explorer.goal = Goal(
+            f"Make {' and '.join(faces)} meet at a right angle again.",
+            GoalPart("angle_deg", "angle", *_RIGHT_ANGLE_DEG, unit="°", digits=1),
+        )
+    return explorer

@@ -14,6 +14,7 @@ import traitlets
 from labutils._guards import check_depth_limits
 from labutils.depth_values import metric_to_raw, process_depth
 from labutils.explorers._base import Control, Explorer, View, make_slider
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._poster import draw_lines
 
@@ -111,7 +112,7 @@ class DepthConventionExplorer(Explorer):
 
 
 def explore_depth_convention(
-    near: float = 0.01, far: float = 10.0, raw: float = 0.5
+    near: float = 0.01, far: float = 10.0, raw: float | None = None
 ) -> DepthConventionExplorer:
     """Turn raw values of the depth buffer into meters, for any pair of clip planes.
 
@@ -120,8 +121,9 @@ def explore_depth_convention(
     near, far : float
         Clip planes shown first, in meters: 0.005 to 1 (others can be chosen from a
         row of round values), and 2 to 100. The slider keeps far to 0.1 m.
-    raw : float
-        Window depth shown first, 0 to 1. The slider keeps four digits, the curve all.
+    raw : float, optional
+        Window depth shown first, 0 to 1; by default that of the middle between the planes. The
+        slider keeps four digits, the curve all.
 
     Returns
     -------
@@ -140,6 +142,8 @@ def explore_depth_convention(
     neighbors that lie closer together toward 0. Reversed order keeps 1 - raw.
     """
     near, far = check_depth_limits("near", near, "far", far)
+    if raw is None:
+        raw = float(metric_to_raw(np.float64((near + far) / 2), near, far))
     for name, value, (low, high) in (
         ("near", near, (_NEARS[0], _NEARS[-1])),
         ("far", far, _FAR_LIMITS),
@@ -160,7 +164,7 @@ def explore_depth_convention(
         options=[f"{one:g}" for one in nears], description="near (m)"
     )
     near_slider.add_class("jupyter-widgets")  # which this one lacks, and styles ask for
-    return DepthConventionExplorer(
+    explorer = DepthConventionExplorer(
         view,
         {
             "raw": make_slider("raw", (0.0, 1.0), 0.0001, digits=5),
@@ -168,6 +172,12 @@ def explore_depth_convention(
             "far": make_slider("far", _FAR_LIMITS, 0.1, unit="m", digits=1),
         },
     )
+    explorer.goal = Goal(
+        "At 2 m, make one step of 16 bits 1 mm at most.",
+        GoalPart("depth", "depth", low=1.95, high=2.05, unit=" m"),
+        GoalPart("step16_mm", "step", high=1, unit=" mm"),
+    )
+    return explorer
 
 
 def _find_integer_levels(value: float, bits: int) -> tuple[float, float]:

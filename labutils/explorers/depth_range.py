@@ -37,18 +37,23 @@ from labutils.explorers._depth_picture import (
     paint_depth,
     to_step,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 
 BINS = 50
 #: End of the slider in meters, unless something lies farther away.
 _USUAL_END = 5.0
+#: The goal: at most this wide, in percent of the tightest range that holds every surface.
+_WIDE_ENOUGH = 105.0
+#: Who leaves out this share of the surfaces is as far from the goal as can be.
+_MANY = 0.05
 
 
 class DepthRangeView(PixelView):
     """The colored depth image, its color bar, and the histograms of meters and of raw values."""
 
     _esm = join_modules("depth_range")
-    _css = join_styles("plot", "depth_range")
+    _css = join_styles("plot", "hover", "depth_range")
     depth_png = traitlets.Bytes().tag(sync=True)
     depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)
     #: A surface lies between these, in meters.
@@ -65,7 +70,11 @@ class DepthRangeView(PixelView):
     PARAMETERS: ClassVar = ("range_m", "color_map", "pixel")
 
     def compute(self) -> dict[str, Any]:
-        """Compute the shares of the pixels, both histograms, and what one pixel reads."""
+        """Compute the shares of the surface pixels, both histograms, and what one pixel reads.
+
+        What is no surface, as the sky in a window, is counted apart. `width_percent` is how wide
+        the range is: 100 is the tightest one that holds every surface.
+        """
         steps = decode_steps(self.depth_png)
         limits = Limits(*(to_step(one) for one in self.range_m))
         kinds = np.bincount(find_kinds(steps, limits).ravel(), minlength=4)
@@ -73,11 +82,15 @@ class DepthRangeView(PixelView):
         end = to_step(self.upper_m)
         metric = surface[surface < end] * BINS // end
         raw = np.minimum((self._to_raw(surface * DEPTH_STEP) * BINS).astype(int), BINS - 1)
+        tightest = max(int(surface.max() - surface.min()), 1) * DEPTH_STEP
         return {
-            "share_nearer": float(100 * kinds[NEARER] / steps.size),
-            "share_inside": float(100 * kinds[INSIDE] / steps.size),
-            "share_farther": float(100 * kinds[FARTHER] / steps.size),
+            "surfaces": surface.size,
+            "left_out": int(kinds[NEARER] + kinds[FARTHER]),
+            "share_nearer": float(100 * kinds[NEARER] / surface.size),
+            "share_inside": float(100 * kinds[INSIDE] / surface.size),
+            "share_farther": float(100 * kinds[FARTHER] / surface.size),
             "no_surface": int(kinds[NO_SURFACE]),
+            "width_percent": 100 * (self.range_m[1] - self.range_m[0]) / tightest,
             "raw_range": self._to_raw(np.array(self.range_m)).tolist(),
             "raw_closest": float(self._to_raw(surface.min() * DEPTH_STEP)),
             "metric_bins": np.bincount(metric, minlength=BINS).tolist(),
@@ -106,7 +119,7 @@ class DepthRangeView(PixelView):
         low, high = values["raw_range"]
         return (
             f"Depth range: {near:.2f} to {far:.2f} m holds {values['share_inside']:.1f} % of the "
-            f"pixels; in the raw buffer that is {low:.4f} to {high:.4f}"
+            f"surface pixels; in the raw buffer that is {low:.4f} to {high:.4f}"
         )
 
     def draw_poster(self) -> np.ndarray:
@@ -158,7 +171,8 @@ def explore_depth_range(
     Returns
     -------
     DepthRangeExplorer
-        Shows itself as the last line of a cell; has `depth_range` in meters and `pixel`.
+        Shows itself as the last line of a cell; has `depth_range` in meters and `pixel`. Its
+        goal is a range that holds every surface and is at most 5 % wider than it has to be.
 
     Raises
     ------
@@ -181,6 +195,12 @@ def explore_depth_range(
         range_m=[round(float(near), 2), round(float(far), 2)],
     )
     slider = make_range_slider("range", (0.0, upper), 0.01, unit="m", digits=2)
-    return DepthRangeExplorer(
+    explorer = DepthRangeExplorer(
         view, {"range_m": slider, "color_map": make_choice("colors", list(COLOR_MAPS))}
     )
+    explorer.goal = Goal(
+        "Every surface, in a range at most 5 % too wide.",
+        GoalPart("left_out", "left out", high=0, digits=0, scale=_MANY * surface.size),
+        GoalPart("width_percent", "width", high=_WIDE_ENOUGH, unit=" %", digits=0),
+    )
+    return explorer

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import traitlets
 
-from labutils.camera_utils import render_camera
+from labutils.camera_utils import render_camera, render_segmentation
 from labutils.cameras import get_camera_intrinsics, get_camera_pose, intrinsics_matrix
 from labutils.explorers._base import (
     Explorer,
@@ -22,6 +22,7 @@ from labutils.explorers._base import (
     make_choice,
     make_slider,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.rendering import make_renderer
 
@@ -49,7 +50,8 @@ class FovView(View):
     #: Place of the picture's size in `sizes`.
     size = traitlets.Int(1).tag(sync=True)
     sizes = traitlets.List([list(size) for size in _SIZES]).tag(sync=True)
-    #: Things on the table: name, x to the right and z forward in meters, color.
+    #: Things on the table: name, x to the right and z forward in meters, color, and the tangent of
+    #: half the angle from top to bottom at which it is just seen whole, None for never.
     landmarks: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
 
     PARAMETERS: ClassVar = ("fov_y_deg", "size")
@@ -65,8 +67,16 @@ class FovView(View):
             "K": K.tolist(),
             "fov_x_deg": float(np.degrees(2 * np.arctan(half_width))),
             "mm_per_px": float(1000 / K[0, 0]),
+            "spare_deg": self._find_spare(),
             "seen": [one["name"] for one in sorted(inside, key=lambda one: one["x"] / one["z"])],
         }
+
+    def _find_spare(self) -> float | None:
+        """Find how far the angle could close with all things whole; negative where one is cut."""
+        tangents = [one["half_tan"] for one in self.landmarks]
+        if not tangents or None in tangents:
+            return None
+        return self.fov_y_deg - float(np.degrees(2 * np.arctan(max(tangents))))
 
     def describe(self) -> str:
         """Say the angle and what it means in pixels."""
@@ -123,7 +133,8 @@ def explore_fov(
     camera_name : str
         Where to look from; its own angle is the first one shown.
     objects : sequence of str
-        Bodies to draw from above.
+        Bodies to draw from above. With them the explorer has a goal: the smallest angle that
+        shows all of them whole.
 
     Returns
     -------
@@ -144,29 +155,65 @@ def explore_fov(
             f"camera_name: expected a field of view of {_MIN_FOV_DEG:g} to {MAX_FOV_DEG:g} "
             f"degrees, got {fov_y_deg:g}"
         )
+    wide_rgb, wide_bodies = _render_wide(model, data, camera_name)
     view = FovView(
         label="Field of view explorer",
-        help="Move the slider. Watch the picture, the rays and f.",
-        wide_png=encode_rgb(_render_wide(model, data, camera_name)),
+        help="Move the slider. Point at the picture or at the drawing: one ray, seen twice.",
+        wide_png=encode_rgb(wide_rgb),
         fov_y_deg=fov_y_deg,
-        landmarks=[_find_landmark(model, data, camera_name, name) for name in objects],
+        landmarks=[
+            _find_landmark(model, data, camera_name, name)
+            | {"half_tan": _find_half_tan(wide_bodies == model.body(name).id)}
+            for name in objects
+        ],
     )
     slider = make_slider("fov_y", (_MIN_FOV_DEG, MAX_FOV_DEG), 0.5, unit="°", digits=1)
     sizes = [f"{width} x {height}" for width, height in _SIZES]
-    return FovExplorer(view, {"fov_y_deg": slider, "size": make_choice("picture", sizes)})
+    explorer = FovExplorer(view, {"fov_y_deg": slider, "size": make_choice("picture", sizes)})
+    if explorer.values["spare_deg"] is not None:
+        explorer.goal = Goal(
+            f"Zoom in until all {len(objects)} objects just fit, whole.",
+            GoalPart("spare_deg", "angle to spare", low=0, high=1, unit="°", digits=1),
+        )
+    return explorer
 
 
-def _render_wide(model: mujoco.MjModel, data: mujoco.MjData, camera_name: str) -> np.ndarray:
-    """Render the widest view there is, of a copy: the reader's camera keeps its angle."""
+def _render_wide(
+    model: mujoco.MjModel, data: mujoco.MjData, camera_name: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """Render the widest view there is, of a copy: the reader's camera keeps its angle.
+
+    Returns
+    -------
+    rgb : uint8 array, shape (H, W, 3)
+    bodies : int array, shape (H, W)
+        The body that each pixel shows.
+    """
     wide_model = copy.copy(model)
     wide_model.cam(camera_name).fovy[:] = MAX_FOV_DEG
     width, height = _WIDE_SIZE
     renderer = make_renderer(wide_model, height, width)
     try:
         rgb, _ = render_camera(wide_model, data, renderer, camera_name)
+        bodies = render_segmentation(wide_model, data, renderer, camera_name)
     finally:
         renderer.close()
-    return rgb
+    return rgb, bodies
+
+
+def _find_half_tan(mask: np.ndarray) -> float | None:
+    """Find tan(fov_y / 2) of the smallest picture that holds what a wide mask shows, whole."""
+    rows, columns = np.nonzero(mask)
+    if not len(rows):
+        return None
+    # as shares of the half picture, which has the same shape at every angle
+    shares = []
+    for places, size in ((rows, mask.shape[0]), (columns, mask.shape[1])):
+        edges = np.array([places.min(), places.max() + 1])
+        shares.append(np.abs(2 * edges / size - 1).max())
+    if max(shares) >= 1:
+        return None  # cut off by the widest picture
+    return round(float(max(shares) * np.tan(np.radians(MAX_FOV_DEG / 2))), 5)
 
 
 def _find_landmark(

@@ -17,12 +17,15 @@ from labutils.color_segmentation import find_object_centroid
 from labutils.explorers._base import (
     PixelExplorer,
     PixelView,
+    decode_mask,
     decode_rgb,
+    encode_mask,
     encode_rgb,
     make_choice,
     make_range_slider,
     make_slider,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 
 #: Every color there is.
@@ -33,6 +36,8 @@ MAX_RADIUS = 6
 SHOWN = ("overlay", "mask", "picture")
 #: How bright the picture is where nothing is selected.
 DIM = 0.4
+#: From this intersection over union on the limits are good.
+GOOD_IOU = 0.9
 _NAMES = ("hue", "saturation", "value")
 
 
@@ -42,6 +47,8 @@ class HsvView(PixelView):
     _esm = join_modules("hsv")
     _css = join_styles("hsv")
     rgb_png = traitlets.Bytes().tag(sync=True)
+    #: The pixels to select, as PNG; empty where nobody knows them.
+    truth_png = traitlets.Bytes().tag(sync=True)
     hue_from = traitlets.Int(0).tag(sync=True)
     hue_to = traitlets.Int(MAX_HUE).tag(sync=True)
     saturation_limits = traitlets.List(traitlets.Int(), [0, 255]).tag(sync=True)
@@ -91,6 +98,7 @@ class HsvView(PixelView):
             "share": count / mask.size,
             "count": count,
             "centroid": list(centroid) if centroid else None,
+            "iou": self._find_iou(mask),
             "pixel_rgb": None,
             "pixel_hsv": None,
             "pixel_excluded_by": [],
@@ -110,6 +118,12 @@ class HsvView(PixelView):
                 "pixel_selected": bool(mask[v, u]),
             }
         return values
+
+    def _find_iou(self, mask: np.ndarray) -> float | None:
+        if not self.truth_png:
+            return None
+        truth, selected = decode_mask(self.truth_png), mask > 0
+        return float(np.count_nonzero(truth & selected) / np.count_nonzero(truth | selected))
 
     def describe(self) -> str:
         """Say the limits and what they select."""
@@ -180,6 +194,9 @@ def explore_hsv(
     hsv_range: HsvRange = FULL_RANGE,
     open_radius: int = 2,
     close_radius: int = 2,
+    *,
+    truth: np.ndarray | None = None,
+    aim: str = "Select the true pixels and nothing else.",
 ) -> HsvExplorer:
     """Move the limits of a color range and see which pixels it selects.
 
@@ -196,6 +213,10 @@ def explore_hsv(
         The limits shown first, inclusive; all colors by default.
     open_radius, close_radius : int
         0 to 6 pixels: the squares of ones are 2 r + 1 pixels wide, and 0 leaves the mask as it is.
+    truth : array-like, bool, shape (H, W), optional
+        The pixels to select. With it the explorer has a goal: an intersection over union of 0.9.
+    aim : str
+        The goal in words: say what the true pixels show.
 
     Returns
     -------
@@ -206,8 +227,8 @@ def explore_hsv(
     Raises
     ------
     TypeError, ValueError
-        If the picture is not uint8 RGB, the range not two triples within OpenCV's limits, or a
-        radius not a whole number from 0 to 6.
+        If the picture is not uint8 RGB, the range not two triples within OpenCV's limits, a
+        radius not a whole number from 0 to 6, or the truth no mask of the picture.
     """
     picture = check_rgb_image("rgb", rgb)
     if not picture.size:
@@ -215,9 +236,10 @@ def explore_hsv(
     low, high = (limit.tolist() for limit in check_hsv_range("hsv_range", hsv_range))
     view = HsvView(
         label="HSV explorer",
-        help="Move the limits, or the ends of the arc. The cross marks the middle of the largest "
-        "region. Tap the picture to read a pixel.",
+        help="Drag both ends of the arc, then the sliders. The cross marks the middle of the "
+        "largest region.",
         rgb_png=encode_rgb(picture),
+        truth_png=b"" if truth is None else encode_mask(_check_truth(truth, picture)),
         hue_from=low[0],
         hue_to=high[0],
         saturation_limits=[low[1], high[1]],
@@ -225,16 +247,20 @@ def explore_hsv(
         open_radius=_check_radius("open_radius", open_radius),
         close_radius=_check_radius("close_radius", close_radius),
     )
+    # hue has its ring: three pairs of limits, each of its own look, and not six sliders
     controls = {
-        "hue_from": make_slider("hue from", (0, MAX_HUE), 1),
-        "hue_to": make_slider("hue to", (0, MAX_HUE), 1),
         "saturation_limits": make_range_slider("saturation", (0, 255), 1),
         "value_limits": make_range_slider("value", (0, 255), 1),
         "open_radius": make_slider("open", (0, MAX_RADIUS), 1, unit="px"),
         "close_radius": make_slider("close", (0, MAX_RADIUS), 1, unit="px"),
         "shown": make_choice("show", SHOWN),
     }
-    return HsvExplorer(view, controls)
+    for name in ("saturation", "value"):
+        controls[f"{name}_limits"].add_class(f"explorer-{name}")
+    explorer = HsvExplorer(view, controls)
+    if truth is not None:
+        explorer.goal = Goal(aim, GoalPart("iou", "IoU", low=GOOD_IOU, scale=GOOD_IOU))
+    return explorer
 
 
 def _find_inside(hsv: np.ndarray, hsv_range: HsvRange) -> dict[str, np.ndarray]:
@@ -250,6 +276,17 @@ def _find_inside(hsv: np.ndarray, hsv_range: HsvRange) -> dict[str, np.ndarray]:
 
 def _make_square(radius: int) -> np.ndarray:
     return np.ones((2 * radius + 1, 2 * radius + 1), np.uint8)
+
+
+def _check_truth(truth: np.ndarray, picture: np.ndarray) -> np.ndarray:
+    mask = np.asarray(truth)
+    if mask.dtype != bool or mask.shape != picture.shape[:2]:
+        raise ValueError(
+            f"truth: expected bool of shape {picture.shape[:2]}, got {mask.dtype} of {mask.shape}"
+        )
+    if not mask.any():
+        raise ValueError("truth: expected at least one pixel, got none")
+    return mask
 
 
 def _check_radius(name: str, value: Any) -> int:

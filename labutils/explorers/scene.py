@@ -30,6 +30,7 @@ from labutils.explorers._depth_picture import (
     make_color_tables,
     paint_depth,
 )
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._scene_copy import BALL_X, BALL_Y, SceneCopy, ScenePose
 
@@ -43,6 +44,8 @@ _COLORED_M = (0.5, 3.0)
 #: Two poses are the same where a slider could not tell them apart.
 _SAME = 1e-6
 _POSTER_WIDTH = 640
+#: The goal: the ball is in the middle when it is at most this far from it.
+_NEAR_MIDDLE_PX = 5.0
 
 
 class SceneView(PixelView):
@@ -66,6 +69,8 @@ class SceneView(PixelView):
     tilt_deg = traitlets.Float().tag(sync=True)
     ball_x = traitlets.Float().tag(sync=True)
     ball_y = traitlets.Float().tag(sync=True)
+    #: Column and row of the ball's middle in the first picture; [] where it cannot be seen.
+    ball_px: traitlets.List[float] = traitlets.List().tag(sync=True)
 
     PICTURE: ClassVar = "rgb_png"
     PARAMETERS: ClassVar = ("pan_deg", "tilt_deg", "ball_x", "ball_y", "pixel")
@@ -74,25 +79,49 @@ class SceneView(PixelView):
         super().__init__(**traits)
         #: What is shown: color, depth in steps, and the pose that both belong to.
         self.shown = decode_rgb(self.rgb_png), decode_steps(self.depth_png), self.pose
+        #: Where the ball is in it.
+        self.shown_ball: tuple[float, ...] | None = tuple(self.ball_px) or None
 
     @property
     def pose(self) -> ScenePose:
         """The pose that the reader has set."""
         return ScenePose(self.pan_deg, self.tilt_deg, self.ball_x, self.ball_y)
 
-    def show(self, rgb: np.ndarray, depth_metric: np.ndarray, pose: ScenePose) -> None:
+    def show(
+        self,
+        rgb: np.ndarray,
+        depth_metric: np.ndarray,
+        pose: ScenePose,
+        ball: tuple[float, float] | None,
+    ) -> None:
         """Take over another picture: what the values are read from."""
         self.shown = rgb, depth_to_steps(depth_metric).astype(np.int64), pose
+        self.shown_ball = ball
 
     def compute(self) -> dict[str, Any]:
-        """Compute which pose is shown, whether it is the one set, and the depth of the pixel."""
+        """Compute which pose is shown, whether it is the one set, and the depth of the pixel.
+
+        `ball_off_px` is how far the ball's middle is from the middle of the picture, in pixels;
+        None where the ball cannot be seen.
+        """
         _, steps, pose = self.shown
+        height, width = steps.shape
+        off = None
+        if self.shown_ball:
+            u, v = self.shown_ball
+            off = float(np.hypot(u - (width - 1) / 2, v - (height - 1) / 2))
         depth = None
         if self.pixel:
             u, v = self.pixel
             depth = float(steps[v, u] * DEPTH_STEP) if is_surface(steps)[v, u] else None
         far = np.abs(np.subtract(pose, self.pose)) > _SAME
-        return {**pose._asdict(), "is_current": not far.any(), "pixel_depth": depth}
+        is_current = not far.any()
+        return {
+            **pose._asdict(),
+            "is_current": is_current,
+            "pixel_depth": depth,
+            "ball_off_px": off,
+        }
 
     def describe(self) -> str:
         """Say the pose that is shown, and the depth of the pixel."""
@@ -161,7 +190,7 @@ class SceneExplorer(PixelExplorer):
     def _draw(self, pose: ScenePose) -> tuple[np.ndarray, np.ndarray]:
         self._scene.move(pose)
         rgb, depth = self._scene.draw()
-        self.view.show(rgb, depth, self._scene.pose)
+        self.view.show(rgb, depth, self._scene.pose, self._scene.find_ball(depth))
         return rgb, depth
 
     def _answer(self, _view: SceneView, content: dict[str, Any], _buffers: list[bytes]) -> None:
@@ -171,7 +200,8 @@ class SceneExplorer(PixelExplorer):
         self._draw(ScenePose(*(float(content["pose"][name]) for name in ScenePose._fields)))
         rgb, steps, pose = self.view.shown
         height, width = steps.shape
-        told = {"kind": "drawn", "id": content["id"], "pose": pose._asdict()}
+        ball = list(self.view.shown_ball or ())
+        told = {"kind": "drawn", "id": content["id"], "pose": pose._asdict(), "ball_px": ball}
         buffers = [np.ascontiguousarray(rgb).tobytes(), steps.astype("<u2").tobytes()]
         self.view.send({**told, "width": width, "height": height}, buffers)
 
@@ -221,9 +251,15 @@ def explore_scene(
         depth_png=encode_depth(depth),
         fov_y_deg=scene.fov_y_deg,
         limits_deg=inside,
+        ball_px=list(scene.find_ball(depth) or ()),
         **scene.pose._asdict(),
     )
-    return SceneExplorer(view, scene)
+    explorer = SceneExplorer(view, scene)
+    explorer.goal = Goal(
+        "Bring the red ball to the middle of the picture.",
+        GoalPart("ball_off_px", "off by", high=_NEAR_MIDDLE_PX, unit=" px", digits=0),
+    )
+    return explorer
 
 
 def _round_to(pose: ScenePose) -> list[tuple[float, int]]:

@@ -25,9 +25,11 @@ from labutils.explorers._base import (
     make_slider,
 )
 from labutils.explorers._depth_picture import check_has_surface, decode_steps, is_surface
+from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.stereo import (
     OUTSIDE,
+    SEEN,
     depth_to_disparity,
     find_depth_error,
     find_depth_interval,
@@ -42,15 +44,20 @@ _BASELINES_MM = (10.0, 300.0)
 _ERRORS_PX = (0.1, 3.0)
 
 _NOTHING = dict.fromkeys(
-    ("depth", "disparity", "u_right", "right", "z_near", "z_far", "error_mm", "error_linear_mm")
+    (
+        *("depth", "shared_depth", "disparity", "u_right", "right", "z_near", "z_far"),
+        *("error_mm", "error_linear_mm"),
+    )
 )
+#: The goal: a point at least this far away, in meters, known as well as this.
+_FAR_AWAY, _WELL_MM = 1.5, 10.0
 
 
 class StereoView(PixelView):
     """The left eye's picture with both marks, the rays from above, and error over depth."""
 
     _esm = join_modules("stereo")
-    _css = join_styles("plot", "stereo")
+    _css = join_styles("plot", "hover", "stereo")
     rgb_png = traitlets.Bytes().tag(sync=True)
     depth_png = traitlets.Bytes().tag(sync=True)
     depth_step = traitlets.Float(DEPTH_STEP).tag(sync=True)
@@ -64,7 +71,10 @@ class StereoView(PixelView):
     PARAMETERS: ClassVar = ("baseline_mm", "error_px", "pixel")
 
     def compute(self) -> dict[str, Any]:
-        """Compute the disparity, the depths it may stand for, and what the right eye sees."""
+        """Compute the disparity, the depths it may stand for, and what the right eye sees.
+
+        `shared_depth` is the depth of a point that both eyes see.
+        """
         if not self.pixel:
             return dict(_NOTHING)
         u, v = self.pixel
@@ -78,11 +88,13 @@ class StereoView(PixelView):
         disparity = float(disparities[u])
         near, far = find_depth_interval(row[u], error, K, baseline)
         largest = find_depth_error(row[u], error, K, baseline)
+        right = find_right_state(u, disparities)
         return {
             "depth": depth,
+            "shared_depth": depth if right == SEEN else None,
             "disparity": disparity,
             "u_right": u - disparity,
-            "right": find_right_state(u, disparities),
+            "right": right,
             "z_near": float(near),
             "z_far": _to_limit(far),
             "error_mm": _to_limit(1000 * largest),
@@ -182,7 +194,8 @@ def explore_stereo(
     -------
     StereoExplorer
         Shows itself as the last line of a cell; has `baseline`, `match_error`, `pixel`,
-        `disparity` and `depth_interval`.
+        `disparity` and `depth_interval`. Its goal is a point at least 1.5 m away that is known
+        to 10 mm.
 
     Raises
     ------
@@ -222,13 +235,19 @@ def explore_stereo(
         error_px=round(error_px, 1),
         pixel=list(start),
     )
-    return StereoExplorer(
+    explorer = StereoExplorer(
         view,
         {
             "baseline_mm": make_slider("baseline", _BASELINES_MM, 1.0, unit="mm"),
             "error_px": make_slider("match error", _ERRORS_PX, 0.1, unit="px", digits=1),
         },
     )
+    explorer.goal = Goal(
+        f"Know a point {_FAR_AWAY:g} m away or farther to {_WELL_MM:g} mm.",
+        GoalPart("shared_depth", "both eyes see it at", low=_FAR_AWAY, unit=" m"),
+        GoalPart("error_mm", "off by", high=_WELL_MM, unit=" mm", digits=1),
+    )
+    return explorer
 
 
 def _find_middle_surface(depth: np.ndarray) -> tuple[int, int]:

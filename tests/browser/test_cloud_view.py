@@ -86,7 +86,8 @@ def test_the_cameras_view_is_its_picture(folder: Path, explorer: CloudExplorer) 
     assert rgb is not None
     height, width = picture.shape[:2]
     share = np.tan(np.radians(22.5)) / np.tan(np.radians(explorer.view.view_fov_deg / 2))
-    size = (round(width * share), round(height * share))
+    # the view is as high as the camera's picture makes it, and wider
+    size = (round(height * share * rgb.shape[1] / rgb.shape[0]), round(height * share))
     left, top = (width - size[0]) // 2, (height - size[1]) // 2
     shown = picture[top : top + size[1], left : left + size[0]]
     expected = cv2.resize(rgb, size, interpolation=cv2.INTER_AREA).astype(int)

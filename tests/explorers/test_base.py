@@ -14,6 +14,7 @@ import traitlets
 
 from labutils.explorers import _base
 from labutils.explorers._base import Explorer
+from labutils.explorers._goal import Goal, GoalPart
 from tests.helpers.node import run_node
 
 
@@ -59,6 +60,23 @@ def test_values_follow_what_python_moves(explorer: Explorer) -> None:
 def test_moving_an_unknown_control_names_the_known_ones(explorer: Explorer) -> None:
     with pytest.raises(ValueError, match="control: expected one of amount, got 'speed'"):
         explorer.move(speed=1)
+
+
+def test_a_goal_is_set_and_taken_away_from_python(explorer: Explorer) -> None:
+    explorer.goal = Goal("Double it to ten", GoalPart("double", "double", low=10))
+    reached = []
+    for amount in (4, 5):
+        explorer.move(amount=amount)
+        reached.append(explorer.goal_is_reached)
+    assert reached == [False, True]
+    explorer.goal = None
+    assert explorer.view.goal == {}
+
+
+def test_without_a_goal_nothing_can_be_reached(explorer: Explorer) -> None:
+    assert explorer.goal is None
+    with pytest.raises(ValueError, match="goal: expected one to reach, got None"):
+        _ = explorer.goal_is_reached
 
 
 def test_a_viewer_without_widgets_gets_the_poster_and_the_sentence(explorer: Explorer) -> None:

@@ -260,6 +260,8 @@ def test_it_says_its_values_in_words(explorer: CloudExplorer) -> None:
         ({"pixel": (0, 1, 2)}, ValueError, r"pixel: expected \(u, v\) within 8 x 6 pixels"),
         ({"pixel": (0.5, 1)}, TypeError, r"pixel: expected \(u, v\), two whole numbers"),
         ({"faces": {"wall": [(0, 0), (1, 0), (0, 1)]}}, ValueError, "faces: expected two names"),
+        ({"fov_y": 3.0}, ValueError, "fov_y: expected 23 to 93 degrees in radians, got 171.887"),
+        ({"fov_y": "wide"}, TypeError, "fov_y: expected a number, got str 'wide'"),
         (
             {"faces": {"a": [(0, 0), (1, 0), (0, 1)], "b": [(0, 0), (1, 1), (8, 3)]}},
             ValueError,
@@ -296,3 +298,31 @@ def test_a_pixel_outside_cannot_be_picked(explorer: CloudExplorer) -> None:
     with pytest.raises(traitlets.TraitError, match=r"pixel: expected \(u, v\) within 640 x 480"):
         explorer.move(pixel=[640, 0])
     assert explorer.pixel is None
+
+
+def test_it_can_begin_with_a_wrong_field_of_view(frame: Frame) -> None:
+    rgb, depth, K, _, T_world_cam = frame
+    arguments = (rgb, depth, K, T_world_cam)
+    bent = explore_cloud(*arguments, faces=FACES, fov_y=np.radians(55))
+    assert bent.view.start["fov_y_deg"] == bent.view.fov_y_deg == 55
+    assert bent.fov_y == pytest.approx(np.radians(55))
+    poster = bent.view.draw_poster()
+    bent.move(fov_y_deg=45.0)
+    assert bent.values["angle_deg"] == pytest.approx(90, abs=0.1)
+    # the poster stays what the view shows first
+    np.testing.assert_array_equal(bent.view.draw_poster(), poster)
+    assert (poster != explore_cloud(*arguments, faces=FACES).view.draw_poster()).any()
+
+
+def test_the_goal_of_a_bent_cloud_is_the_right_angle(frame: Frame) -> None:
+    rgb, depth, K, _, T_world_cam = frame
+    bent = explore_cloud(rgb, depth, K, T_world_cam, faces=FACES, fov_y=np.radians(55))
+    assert bent.goal is not None
+    assert bent.goal.text == "Make table and wall meet at a right angle again."
+    reached = []
+    for fov_y_deg in np.arange(40, 50, 0.5):  # the steps of its slider
+        bent.move(fov_y_deg=float(fov_y_deg))
+        if bent.goal_is_reached:
+            reached.append(float(fov_y_deg))
+    assert reached == [45.0]
+    assert explore_cloud(rgb, depth, K, T_world_cam, faces=FACES).goal is None

@@ -56,11 +56,13 @@ def test_shares_and_invalid_pixels_are_those_of_labutils(
     surface = find_valid_depth(depth)
     inside = surface & (depth >= near) & (depth <= far)
     # a step of depth moves the pixels on the limits: two of them would be many in this scene
-    assert values["share_inside"] == pytest.approx(100 * inside.mean(), abs=200 / depth.size)
+    share = 100 * inside[surface].mean()
+    assert values["share_inside"] == pytest.approx(share, abs=200 / depth.size)
+    assert values["surfaces"] == np.count_nonzero(surface)
     assert values["no_surface"] == np.count_nonzero(~surface) > 0
     shares = [values[f"share_{name}"] for name in ("nearer", "inside", "farther")]
-    total = sum(shares) + 100 * values["no_surface"] / depth.size
-    assert total == pytest.approx(100, abs=1e-9)
+    assert sum(shares) == pytest.approx(100, abs=1e-9)
+    assert values["left_out"] == pytest.approx((shares[0] + shares[2]) * values["surfaces"] / 100)
     assert min(shares) > 0
 
 
@@ -211,7 +213,7 @@ def test_the_page_paints_and_counts_the_same(
     assert found["metric"] == values["metric_bins"]
     assert found["raw"] == values["raw_bins"]
     assert found["kinds"][picture.NO_SURFACE] == values["no_surface"]
-    inside = 100 * found["kinds"][picture.INSIDE] / steps.size
+    inside = 100 * found["kinds"][picture.INSIDE] / values["surfaces"]
     assert inside == pytest.approx(values["share_inside"], rel=EXACT)
 
 
@@ -257,3 +259,24 @@ def test_limits_must_be_in_order_and_on_the_slider(limits: tuple[float, float]) 
 def test_clip_planes_must_be_in_order() -> None:
     with pytest.raises(ValueError, match=r"expected 0 < clip\[0\] < clip\[1\]"):
         explore_depth_range(np.ones((4, 4)), clip=(1.0, 0.5))
+
+
+def test_the_goal_is_every_surface_in_the_tightest_range(depth: np.ndarray) -> None:
+    explorer = explore_depth_range(depth, clip=CLIP)
+    meters = depth[find_valid_depth(depth)]
+    near, far = float(meters.min()) - 0.005, float(meters.max()) + 0.005
+    span = far - near
+    # the range at first holds every surface too: that alone is not the goal
+    assert explorer.values["left_out"] == 0
+    assert explorer.values["width_percent"] > 200
+    assert not explorer.goal_is_reached
+    for low, high, reached in (
+        (near, far, True),
+        (near, far + 0.03 * span, True),
+        (near, far + 0.07 * span, False),
+        (near + 0.02, far, False),
+        (near, far - 0.02, False),
+        (1.2, 1.2, False),
+    ):
+        explorer.move(range_m=[low, high])
+        assert explorer.goal_is_reached is reached, (low, high)

@@ -70,7 +70,7 @@ def test_a_narrow_view_is_exactly_the_middle_of_the_wide_one(
     # With 100 and 61.6 degrees the middle half of the wide picture is the whole narrow one,
     # pixel for pixel; what differs is the smoothing of edges.
     model, data = scene
-    wide = _render_wide(model, data, "head_camera")
+    wide, _ = _render_wide(model, data, "head_camera")
     half = np.degrees(2 * np.arctan(np.tan(np.radians(MAX_FOV_DEG / 2)) / 2))
     model.cam("head_camera").fovy[:] = half
     renderer = make_renderer(model, 480, 640)

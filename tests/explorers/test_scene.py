@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutils import make_scene, raycast_depth
+from labutils import make_renderer, make_scene, raycast_depth, render_segmentation
 from labutils.explorers import SceneExplorer, explore_scene
 from labutils.explorers._base import DEPTH_STEP
 from labutils.explorers._scene_copy import BALL_X, BALL_Y
@@ -93,6 +93,39 @@ def test_a_picked_pixel_reads_the_exact_depth(explorer: SceneExplorer) -> None:
     assert explorer.pixel == (20, 25)
 
 
+def find_ball_pixels(explorer: SceneExplorer, model: mujoco.MjModel) -> np.ndarray:
+    """List (u, v) of the pixels that see the ball, as the library's own segmentation does."""
+    height, width = explorer.depth.shape
+    with make_renderer(model, height, width) as renderer:
+        bodies = render_segmentation(model, explorer.data, renderer, "head_camera")
+    return np.argwhere(bodies == model.body("red_ball").id)[:, ::-1]
+
+
+@pytest.mark.parametrize("pose", [{}, POSE, {"pan_deg": 21.0, "tilt_deg": 30.0}])
+def test_the_middle_of_the_ball_is_where_its_pixels_are(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], pose: dict[str, float]
+) -> None:
+    explorer = explore_scene(*scene, width=160, height=120)
+    explorer.move(**pose)
+    off = explorer.values["ball_off_px"]
+    pixels = find_ball_pixels(explorer, scene[0])
+    assert explorer.view.shown_ball == pytest.approx(pixels.mean(axis=0), abs=1.0)
+    assert off == pytest.approx(np.linalg.norm(pixels.mean(axis=0) - [79.5, 59.5]), abs=1.5)
+
+
+@pytest.mark.parametrize(
+    "pose", [{"ball_x": 1.2, "ball_y": 0.1}, {"pan_deg": -40.0}, {"pan_deg": 80.0, "ball_y": -0.6}]
+)
+def test_a_ball_that_is_hidden_or_outside_the_picture_has_no_place_in_it(
+    scene: tuple[mujoco.MjModel, mujoco.MjData], pose: dict[str, float]
+) -> None:
+    explorer = explore_scene(*scene, width=160, height=120)
+    explorer.move(**pose)
+    assert explorer.values["ball_off_px"] is None
+    # some of its edge may look out from behind what hides it
+    assert len(find_ball_pixels(explorer, scene[0])) < 20
+
+
 def test_a_pixel_in_the_window_sees_no_surface(explorer: SceneExplorer) -> None:
     explorer.move(pan_deg=-9.0, tilt_deg=0.0)
     v, u = np.argwhere(explorer.depth > 10)[0].tolist()
@@ -105,9 +138,11 @@ def test_a_question_of_the_page_gets_one_answer_with_the_picture_of_its_pose(
     explorer: SceneExplorer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ((told, (color, depth)),) = ask(explorer, monkeypatch, kind="draw", id=5, pose=POSE)
+    ball = told.pop("ball_px")
     assert told == {"kind": "drawn", "id": 5, "pose": POSE, **SIZE}
-    json.dumps(told)
+    json.dumps(ball)
     explorer.move(**POSE)
+    assert explorer.values["ball_off_px"] == pytest.approx(np.hypot(ball[0] - 19.5, ball[1] - 14.5))
     assert color == explorer.rgb.tobytes()
     steps = np.frombuffer(depth, "<u2").reshape(SIZE["height"], SIZE["width"])
     sees = explorer.depth < 10
@@ -235,7 +270,7 @@ def test_both_languages_agree_on_which_poses_are_the_same(explorer: SceneExplore
 def test_the_page_reads_the_picture_as_it_was_drawn(explorer: SceneExplorer) -> None:
     rgb, steps, _ = explorer.view.shown
     buffers = [rgb.tobytes(), steps.astype("<u2").tobytes()]
-    answer = {"kind": "drawn", "id": 1, "pose": POSE, **SIZE}
+    answer = {"kind": "drawn", "id": 1, "pose": POSE, "ball_px": [3.5, 4], **SIZE}
     # at an odd place of a larger buffer, as they may come
     reading = (
         "(() => { const views = buffers.map((bytes) => new DataView("
@@ -247,3 +282,15 @@ def test_the_page_reads_the_picture_as_it_was_drawn(explorer: SceneExplorer) -> 
     )
     np.testing.assert_array_equal(color, rgb.ravel())
     np.testing.assert_array_equal(depth, steps.ravel())
+
+
+def test_the_goal_is_the_ball_in_the_middle_of_the_picture(
+    scene: tuple[mujoco.MjModel, mujoco.MjData],
+) -> None:
+    explorer = explore_scene(*scene)
+    assert not explorer.goal_is_reached
+    explorer.move(pan_deg=20.5, tilt_deg=29.0)
+    assert explorer.goal_is_reached
+    explorer.move(pan_deg=-40.0)
+    assert explorer.values["ball_off_px"] is None
+    assert not explorer.goal_is_reached

@@ -33,6 +33,7 @@ SAME = 1e-12
 class Eyes(NamedTuple):
     rgb: np.ndarray
     depth: np.ndarray
+    right_rgb: np.ndarray
     right_depth: np.ndarray
     K: np.ndarray
     data: mujoco.MjData
@@ -45,11 +46,11 @@ def eyes() -> Eyes:
     renderer = make_renderer(model, 240, 320)
     try:
         rgb, depth = render_camera(model, data, renderer, "left_eye")
-        _, right_depth = render_camera(model, data, renderer, "right_eye")
+        right_rgb, right_depth = render_camera(model, data, renderer, "right_eye")
     finally:
         renderer.close()
     K, _ = get_camera_intrinsics(model, "left_eye", 320, 240)
-    return Eyes(rgb, depth, right_depth, K, data)
+    return Eyes(rgb, depth, right_rgb, right_depth, K, data)
 
 
 @pytest.fixture
@@ -107,6 +108,33 @@ def test_what_the_right_eye_sees_agrees_with_its_own_depth(
         agree += values["right"] == really
     assert found == {OUTSIDE, SEEN, HIDDEN}
     assert agree / checked > 0.97
+
+
+def test_the_strip_shows_what_the_real_right_eye_sees(eyes: Eyes) -> None:
+    rows = (90, 170)
+    depths = np.where(find_valid_depth(eyes.depth), eyes.depth, 0)
+    rgba = np.dstack([eyes.rgb, np.full(eyes.depth.shape, 255, np.uint8)])
+    found = evaluate(
+        "_right_eye",
+        """(() => {
+        const left = { colors: Uint32Array.from(colors), depths, width: 320 };
+        const out = new Uint32Array(80 * 320);
+        m.warpRows(left, rows, focal, baseline, out);
+        return [...out];
+        })()""",
+        colors=np.ascontiguousarray(rgba).view("<u4").ravel().tolist(),
+        depths=depths.ravel().tolist(),
+        rows=rows,
+        focal=eyes.K[0, 0],
+        baseline=BASELINE,
+    )
+    strip = np.array(found, "<u4").view(np.uint8).reshape(80, 320, 4)
+    seen = strip[..., 3] > 0
+    assert 0.8 < seen.mean() < 0.99  # the rest lies behind something for the left eye
+    off = np.abs(strip[..., :3].astype(int) - eyes.right_rgb[slice(*rows)]).max(axis=2)[seen]
+    # edges may be a pixel off; the left picture as it is has five times as many wrong pixels
+    unmoved = np.abs(eyes.rgb.astype(int) - eyes.right_rgb)[slice(*rows)].max(axis=2)
+    assert (off > 40).mean() < (unmoved > 40).mean() / 5 < 0.1
 
 
 def test_the_interval_holds_the_disparities_it_came_from(
@@ -278,3 +306,21 @@ def test_bad_arguments_are_refused(
     arguments = {"rgb_image": eyes.rgb, "depth_metric": eyes.depth, "K": eyes.K, **change}
     with pytest.raises(error, match=message):
         explore_stereo(**arguments)
+
+
+def test_the_goal_is_a_far_point_that_both_eyes_see_and_know_well(eyes: Eyes) -> None:
+    explorer = explore_stereo(eyes.rgb, eyes.depth, eyes.K, pixel=(300, 5))
+    assert explorer.values["depth"] > 1.5
+    assert not explorer.goal_is_reached
+    explorer.move(baseline_mm=300.0, error_px=0.1)
+    assert explorer.goal_is_reached
+    # as well known, but the right eye does not see it
+    explorer.move(pixel=[5, 5])
+    assert explorer.values["error_mm"] < 10
+    assert explorer.values["right"] == OUTSIDE
+    assert explorer.values["shared_depth"] is None
+    assert not explorer.goal_is_reached
+    # on the table, near
+    explorer.move(pixel=[300, 235])
+    assert explorer.values["depth"] < 1.5
+    assert not explorer.goal_is_reached

@@ -100,6 +100,23 @@ export function binRaw(counts, bins, step, valid, [near, far]) {
 }
 
 /**
+ * The first step of every bin, and behind them the end of the last; `toBin` never falls.
+ * @param {number} bins
+ * @param {(steps: number) => number} toBin
+ * @param {Pair} valid
+ * @returns {number[]}
+ */
+export function findBinStarts(bins, toBin, valid) {
+  const starts = [];
+  for (let steps = valid[0] + 1; steps < valid[1] && starts.length <= bins; steps++) {
+    const bin = toBin(steps);
+    while (starts.length <= Math.min(bin, bins)) starts.push(steps);
+  }
+  while (starts.length <= bins) starts.push(valid[1]);
+  return starts;
+}
+
+/**
  * Turn 256 RGB colors, starting at byte `from`, into what `paintDepth` writes.
  * @param {ArrayLike<number>} bytes
  * @param {number} from

@@ -1,4 +1,9 @@
-// What every explorer is made of: a stage for pictures, a read-out, a line of help, Reset.
+// What every explorer is made of: a stage for pictures, which stays in view on a phone, and below it
+// the goal; a read-out; a side for more drawings; a line of help, Reset.
+
+import { adoptControls } from "./_controls.js";
+import { make as makeElement } from "./_elements.js";
+import { makeGoal } from "./_goal.js";
 
 const SPEAK_AFTER_MS = 700; // a screen reader hears the value one stops at, not all in between
 
@@ -36,11 +41,18 @@ function makeFrame({ model, el }, name) {
   root.dataset.state = "loading";
   root.setAttribute("role", "group");
   root.setAttribute("aria-label", model.get("label"));
-  const stage = make("div", "explorer-stage", root);
-  const readout = make("p", "explorer-readout", root);
+  const main = make("div", "explorer-main", root);
+  const pinned = make("div", "explorer-pinned", main);
+  const stage = make("div", "explorer-stage", pinned);
+  const goal = makeGoal(pinned, model.get("goal"));
+  const told = make("div", "explorer-told", main);
+  const readout = make("p", "explorer-readout", told);
+  const room = make("p", "explorer-readout-room", told);
+  room.setAttribute("aria-hidden", "true");
   const spoken = make("p", "explorer-spoken", root);
   spoken.setAttribute("role", "status");
-  const foot = make("div", "explorer-foot", root);
+  const side = make("div", "explorer-side", root);
+  const foot = make("div", "explorer-foot", main);
   make("p", "explorer-help", foot).textContent = model.get("help");
   const reset = make("button", "explorer-button", foot);
   reset.type = "button";
@@ -49,15 +61,35 @@ function makeFrame({ model, el }, name) {
   /** @type {ReturnType<typeof setTimeout>} */
   let timer;
   let heard = ""; // the first value is on the page already: nobody asked to hear it
-  const cleanups = [() => clearTimeout(timer), nameControls(el)];
+  /** @type {Record<string, unknown>} */
+  let last = {};
+  const setGoal = () => {
+    goal.set(model.get("goal"));
+    goal.show(last);
+  };
+  model.on("change:goal", setGoal);
+  const cleanups = [
+    () => clearTimeout(timer),
+    adoptControls(el),
+    () => model.off("change:goal", setGoal),
+  ];
   return {
     root,
     stage,
+    side,
     foot,
     cleanups,
+    /** Keep as much room for the read-out as its longest text takes, so that nothing jumps. */
+    reserve(longest) {
+      room.textContent = longest;
+    },
+    /** Hide the goal for as long as nothing shown can reach it; its place stays. */
+    suspendGoal: goal.suspend,
     /** Tell the result: in words, and as values that a test reads. */
     tell(text, values) {
       if (readout.textContent !== text) readout.textContent = text;
+      last = { ...values };
+      goal.show(last);
       const names = /** @type {(keyof ViewTraits<any>)[]} */ (Object.keys(model.get("start")));
       const parameters = names.map((one) => [one, model.get(one)]);
       root.dataset.parameters = JSON.stringify(Object.fromEntries(parameters));
@@ -120,19 +152,8 @@ export function setTraits(model, values) {
   model.save_changes();
 }
 
-/**
- * Make an element inside another.
- * @template {keyof HTMLElementTagNameMap} Tag
- * @param {Tag} tag
- * @param {string} className
- * @param {Element} [parent]
- */
-export function make(tag, className, parent) {
-  const element = document.createElement(tag);
-  if (className) element.className = className;
-  parent?.append(element);
-  return element;
-}
+/** Make an element inside another. */
+export const make = makeElement;
 
 /**
  * Make a canvas of a size in pixels; it says in words what it shows.
@@ -164,63 +185,4 @@ export function getContext(canvas, settings) {
 /** What was thrown, as an error: anything can be thrown. */
 export function toError(/** @type {unknown} */ thrown) {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
-}
-
-/** Name the handles of the sliders beside the view; ipywidgets leaves them without a name. */
-function nameControls(/** @type {HTMLElement} */ el) {
-  /** @type {MutationObserver | undefined} */
-  let observer;
-  let waiting = requestAnimationFrame(function start() {
-    const box = el.closest(".explorer-box");
-    if (!box) {
-      waiting = requestAnimationFrame(start); // not yet in the page
-      return;
-    }
-    // in JupyterLab arrow keys would leave the cell instead of moving the handle
-    box.setAttribute("data-lm-suppress-shortcuts", "true");
-    nameAll(box);
-    observer = new MutationObserver(() => nameAll(box));
-    const watched = { attributeFilter: ["class"], childList: true, subtree: true };
-    observer.observe(box, watched);
-  });
-  return () => {
-    cancelAnimationFrame(waiting);
-    observer?.disconnect();
-  };
-}
-
-function nameAll(/** @type {Element} */ box) {
-  for (const control of box.querySelectorAll(".explorer-controls > *")) {
-    /** @type {HTMLElement | null} */
-    const label = control.querySelector(".widget-label");
-    const name = label?.textContent ?? "";
-    if (label?.title === "null") label.removeAttribute("title");
-    const handles = control.querySelectorAll(".noUi-handle");
-    handles.forEach((handle, place) => {
-      const end = handles.length > 1 ? [", low", ", high"][place] : "";
-      setOnce(handle, "aria-label", name + end);
-    });
-    const readout = control.querySelector(".widget-readout");
-    if (readout) {
-      setOnce(readout, "role", "textbox");
-      setOnce(readout, "aria-label", `${name}, as a number`);
-    }
-    if (control.classList.contains("widget-toggle-buttons")) {
-      setOnce(control, "role", "group");
-      setOnce(control, "aria-label", name);
-      for (const button of control.querySelectorAll("button")) {
-        setOnce(button, "aria-pressed", String(button.classList.contains("mod-active")));
-      }
-    }
-  }
-}
-
-/**
- * Set an attribute only where it differs, so that the observer is not woken by its own work.
- * @param {Element} element
- * @param {string} name
- * @param {string} value
- */
-function setOnce(element, name, value) {
-  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }

@@ -5,6 +5,8 @@ import { toImageData } from "./_png.js";
 import { DIM, MASK, PICTURE } from "./_shared.js";
 
 const ARM = 14; // of the cross, in pixels
+const FULL_CROSS = 120; // pixels: in a picture smaller than this the cross is smaller, too
+const LEAST_CROSS = 12; // in a smaller one it would hide what it marks
 
 /**
  * Prepare a canvas for a picture: { width, height, channels, data }.
@@ -49,7 +51,9 @@ export function makeOverlay(canvas, picture) {
       else if (shown === PICTURE) out.set(bright);
       else fillOverlay(mask);
       context.putImageData(image, 0, 0);
-      if (centroid) drawCross(context, centroid[0] + 0.5, centroid[1] + 0.5);
+      const size = Math.min(width, height);
+      if (!centroid || size < LEAST_CROSS) return;
+      drawCross(context, centroid[0] + 0.5, centroid[1] + 0.5, Math.min(1, size / FULL_CROSS));
     },
   };
 }
@@ -76,17 +80,19 @@ const WHITE_ABOVE = { color: "#fff", width: 3 };
  * @param {CanvasRenderingContext2D} context
  * @param {number} x
  * @param {number} y
+ * @param {number} scale
  */
-function drawCross(context, x, y) {
+function drawCross(context, x, y, scale) {
   context.lineCap = "round";
   for (const { color, width } of [BLACK_BELOW, WHITE_ABOVE]) {
     context.strokeStyle = color;
-    context.lineWidth = width;
+    context.lineWidth = width * scale;
+    const arm = ARM * scale;
     context.beginPath();
-    context.moveTo(x - ARM, y);
-    context.lineTo(x + ARM, y);
-    context.moveTo(x, y - ARM);
-    context.lineTo(x, y + ARM);
+    context.moveTo(x - arm, y);
+    context.lineTo(x + arm, y);
+    context.moveTo(x, y - arm);
+    context.lineTo(x, y + arm);
     context.stroke();
   }
 }

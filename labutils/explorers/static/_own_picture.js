@@ -4,13 +4,15 @@
 import { getContext, make } from "./_frame.js";
 import { openWebcam } from "./_webcam.js";
 
+const LEAST_SIDE = 32; // pixels that a long and narrow picture keeps of its short side
+
 /**
- * Add the buttons below the frame. `show` gets a picture, at most of `size`, or null for the scene's;
+ * Add the buttons at the foot of the frame. `show` gets a picture, at most of `size`, or null for the scene's;
  * `place` is where the camera shows what it sees.
  * @param {OwnPictureParts} parts
  */
 export function acceptPictures({ frame, place, size, show }) {
-  const bar = make("div", "explorer-own", frame.root);
+  const bar = make("div", "explorer-own", frame.foot);
   /**
    * @param {string} text
    * @param {() => void} act
@@ -39,9 +41,10 @@ export function acceptPictures({ frame, place, size, show }) {
     back.hidden = true;
     choose.focus();
   });
-  make("p", "explorer-own-note", bar).textContent =
+  const notes = make("div", "explorer-own-notes", bar);
+  make("p", "explorer-own-note", notes).textContent =
     "Your picture stays on this page. You may also drop or paste one.";
-  const message = make("p", "explorer-own-note", bar);
+  const message = make("p", "explorer-own-note", notes);
   message.setAttribute("role", "status");
   const say = (/** @type {string} */ text) => {
     message.textContent = text;
@@ -132,6 +135,18 @@ function dropOn(target, place, read) {
 }
 
 /**
+ * How much smaller a picture becomes: it fits `size`, or is longer where it would lose its short side.
+ * @param {{ width: number, height: number }} size
+ * @param {number} width
+ * @param {number} height
+ */
+function findScale(size, width, height) {
+  const fit = Math.min(1, size.width / width, size.height / height);
+  const sameArea = Math.sqrt((size.width * size.height) / (width * height));
+  return Math.max(fit, Math.min(1, sameArea, LEAST_SIDE / Math.min(width, height)));
+}
+
+/**
  * Draw a picture or a frame of a video, made to fit `size`; transparent pixels become white.
  * @param {HTMLVideoElement | ImageBitmap} source
  * @param {{ width: number, height: number }} size
@@ -142,7 +157,7 @@ function shrinkPicture(source, size) {
     "videoWidth" in source
       ? [source.videoWidth, source.videoHeight]
       : [source.width, source.height];
-  const scale = Math.min(1, size.width / fullWidth, size.height / fullHeight);
+  const scale = findScale(size, fullWidth, fullHeight);
   const width = Math.max(1, Math.round(fullWidth * scale));
   const height = Math.max(1, Math.round(fullHeight * scale));
   const canvas = Object.assign(document.createElement("canvas"), { width, height });

@@ -7,7 +7,7 @@ import { meetRays } from "./_stereo.js";
 
 const TOPS = [0.5, 1, 1.5, 2, 3, 5, 8, 12, 16]; // meters: the view ends at one of them
 const LAST = TOPS[TOPS.length - 1];
-const LENS = { width: 84, height: 150, tall: 96 }; // the diamond is `tall` in it
+const LENS = { width: 84, height: 92, tall: 54 }; // the diamond is `tall` in it
 
 /**
  * Make the drawing; `show` takes what `describePair` returns.
@@ -15,7 +15,7 @@ const LENS = { width: 84, height: 150, tall: 96 }; // the diamond is `tall` in i
  */
 export function makeRays(parent) {
   const x = { label: "to the right (m)" };
-  const plot = makePlot(parent, { height: 300, x, y: { label: "from above: depth (m)" } });
+  const plot = makePlot(parent, { height: 210, x, y: { label: "from above: depth (m)" } });
   const { area, above } = plot;
   const rays = makeShapes(plot.inside);
   const eyes = [0, 1].map(() => addShape(above, "circle", { r: 4, class: "explorer-eye" }));

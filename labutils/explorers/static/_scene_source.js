@@ -31,12 +31,12 @@ export function isSamePose(one, other) {
  * @param {DataView<ArrayBuffer>[]} buffers
  * @returns {SceneFrame}
  */
-export function readFrame({ width, height, pose }, [color, depth]) {
+export function readFrame({ width, height, pose, ball_px }, [color, depth]) {
   const rgb = new Uint8Array(color.buffer, color.byteOffset, color.byteLength);
   const steps = new Uint16Array(width * height);
   // low byte first, whatever this machine does, and wherever the bytes begin
   for (let i = 0; i < steps.length; i++) steps[i] = depth.getUint16(2 * i, true);
-  return { width, height, pose, rgb, steps };
+  return { width, height, pose, ball_px, rgb, steps };
 }
 
 /**

@@ -31,6 +31,7 @@ type SceneModel = AskingModel &
       color_table: DataView<ArrayBuffer>;
       fov_y_deg: number;
       limits_deg: Pair[];
+      ball_px: Pixel;
     },
     ScenePose & Picked
   >;
@@ -41,13 +42,20 @@ interface SceneAnswer {
   width: number;
   height: number;
   pose: ScenePose;
+  ball_px: Pixel;
 }
-/** A picture: color in rows of RGB, depth in steps, and the pose that both belong to. */
+/** A picture: color in rows of RGB, depth in steps, the pose that both belong to,
+ *  and where the ball's middle is; empty where it cannot be seen. */
 interface SceneFrame {
   width: number;
   height: number;
   pose: ScenePose;
+  ball_px: Pixel;
   rgb: Uint8Array<ArrayBuffer>;
   steps: Uint16Array<ArrayBuffer>;
 }
-type SceneValues = ScenePose & { is_current: boolean; pixel_depth: number | null };
+type SceneValues = ScenePose & {
+  is_current: boolean;
+  pixel_depth: number | null;
+  ball_off_px: number | null;
+};

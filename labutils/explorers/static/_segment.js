@@ -15,6 +15,9 @@ export function makeSegmenter({ width, height, channels, data }) {
   const morphology = makeMorphology(width, height);
   const regions = makeRegionFinder(width, height);
   const stride = width + 2;
+  /** @param {number} at */
+  const isSelected = (at) =>
+    regions.cells[(Math.floor(at / width) + 1) * stride + (at % width) + 1] !== 0;
   return {
     width,
     height,
@@ -32,6 +35,16 @@ export function makeSegmenter({ width, height, channels, data }) {
       morphology.close(bits, closeRadius);
       const count = regions.load(bits);
       return { share: count / (width * height), count, centroid: regions.findCentroid() };
+    },
+    /**
+     * Intersection over union of the mask made last and of the pixels that should be in it.
+     * @param {Uint32Array} truth their places, row by row
+     * @param {number} count how many are in the mask
+     */
+    findIou(truth, count) {
+      let both = 0;
+      for (const at of truth) both += Number(isSelected(at));
+      return both / (truth.length + count - both);
     },
     /**
      * What the read-out tells of a pixel [u, v] of the mask made last; [] is none.
@@ -58,7 +71,7 @@ export function makeSegmenter({ width, height, channels, data }) {
         pixel_hsv: hsv,
         pixel_excluded_by: excluding,
         pixel_inside: excluding.length === 0,
-        pixel_selected: regions.cells[(v + 1) * stride + u + 1] !== 0,
+        pixel_selected: isSelected(at),
       };
     },
   };

@@ -27,6 +27,24 @@ interface ViewTraits<Parameters> {
   label: string;
   help: string;
   start: Parameters;
+  goal?: Goal | Record<string, never>;
+}
+/** What a reader is to reach, see _goal.js. */
+interface Goal {
+  text: string;
+  parts: GoalPart[];
+}
+interface GoalPart {
+  /** The value, by the name under which the view tells it. */
+  value: string;
+  /** Its name for the reader. */
+  name: string;
+  low: number | null;
+  high: number | null;
+  unit: string;
+  digits: number;
+  /** How far from the limits the bar is empty; null: as far as it is at first. */
+  scale: number | null;
 }
 type ViewModel<Own, Parameters> = Model<ViewTraits<Parameters> & Own & Parameters>;
 
@@ -42,7 +60,10 @@ type FovModel = ViewModel<
   { wide_png: DataView<ArrayBuffer>; max_fov_deg: number; sizes: Pair[]; landmarks: Landmark[] },
   { fov_y_deg: number; size: number }
 >;
-type HsvModel = ViewModel<{ rgb_png: DataView<ArrayBuffer> }, HueEnds & HsvParameters & Picked>;
+type HsvModel = ViewModel<
+  { rgb_png: DataView<ArrayBuffer>; truth_png: DataView<ArrayBuffer> },
+  HueEnds & HsvParameters & Picked
+>;
 interface HueEnds {
   hue_from: number;
   hue_to: number;
@@ -94,7 +115,10 @@ interface Landmark {
   x: number;
   z: number;
   color: string;
+  half_tan: number | null;
 }
+/** Pixel and direction in degrees that one points at; a column has no row. */
+type Ray = { u: number; right: number } & ({ v: number; up: number } | { v: null; up: null });
 /** A name and three of its pixels. */
 type Face = [string, Pair[]];
 interface Orbit {
@@ -107,9 +131,14 @@ interface Orbit {
 /** What a view fills, see _frame.js. */
 interface Frame {
   root: HTMLElement;
+  /** For the picture that the controls change: it stays in view while they are used. */
   stage: HTMLElement;
+  /** For more drawings: beside the stage, or on a phone below the controls. */
+  side: HTMLElement;
   foot: HTMLElement;
   cleanups: (() => void)[];
+  reserve(longest: string): void;
+  suspendGoal(isSuspended: boolean): void;
   tell(text: string, values: object): void;
   fail(error: unknown): void;
   destroy(): void;
@@ -174,6 +203,13 @@ interface SplatBuffer {
   ids: Int32Array;
 }
 
+/** Where something stands on the page. */
+interface Box {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
 /** Places of an area in a drawing. */
 interface Area {
   left: number;
@@ -200,6 +236,8 @@ interface Plot {
 type StereoValues = StereoSeen | Nothing<StereoSeen>;
 interface StereoSeen {
   depth: number;
+  /** The same, if the right eye sees the point. */
+  shared_depth: number | null;
   disparity: number;
   u_right: number;
   right: number;
@@ -269,16 +307,33 @@ interface WebcamParts {
   accept(video: HTMLVideoElement): void;
   onChange(running: boolean): void;
 }
-type HsvValues = PixelValues & { share: number; count: number; centroid: Pair | null };
+type HsvValues = PixelValues & {
+  share: number;
+  count: number;
+  centroid: Pair | null;
+  iou: number | null;
+};
 interface Clip {
   depth: number;
   near: number;
   far: number;
 }
-interface RangeValues {
+/** What a range holds of a depth image: surfaces only, but for `no_surface`. */
+interface RangeCounts {
+  surfaces: number;
+  left_out: number;
+  share_nearer: number;
   share_inside: number;
+  share_farther: number;
   no_surface: number;
-  raw_range: number[];
+  /** How wide the range is: 100 is the tightest that holds every surface. */
+  width_percent: number;
+  raw_range: Pair;
+  raw_closest: number;
+  metric_bins: number[];
+  raw_bins: number[];
+}
+interface PixelReading {
   pixel_depth: number | null;
   pixel_raw: number | null;
   pixel_kind: number | null;

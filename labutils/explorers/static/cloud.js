@@ -41,21 +41,21 @@ async function start(model, frame) {
     decodePng(model.get("depth_png")),
   ]);
   const cloud = readCloud(model, image, depth);
-  frame.stage.classList.add("explorer-cloud");
-  const main = make("div", "", frame.stage);
-  const surface = make("div", "explorer-cloud-view", main);
+  const surface = make("div", "explorer-cloud-view", frame.stage);
   surface.setAttribute(
     "aria-label",
     "Point cloud. Arrow keys walk around, plus and minus zoom, Home returns. Pick points in the picture",
   );
   const stand = makePainter(surface, cloud, frame);
   const drawMarks = makeMarks(surface, cloud);
-  const showScale = makeColorScale(main, cloud);
-  const side = make("div", "explorer-cloud-side", frame.stage);
+  const showScale = makeColorScale(surface, cloud);
+  const side = make("div", "explorer-cloud-side", frame.side);
   const canvas = makeCanvas(side, cloud.width, cloud.height, "The camera's picture");
   getContext(canvas).putImageData(image, 0, 0);
   makePicker({ model, frame, canvas, label: "The camera's picture" });
   makeOrbitButtons(side, model, cloud.orbitFromCamera);
+
+  frame.reserve(makeLongest(cloud, hasGoal(model)));
 
   const countPoints = makeCounter(cloud);
   const colors = new Uint32Array(cloud.steps.length);
@@ -200,8 +200,8 @@ function makeColorScale(parent, cloud) {
 function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, model, cloud) {
   const right = Math.abs(stretch - 1) < 5e-4;
   let text = `${points.toLocaleString("en-US")} points. f = ${f.toFixed(1)} px`;
-  text += right ? ", the camera's own" : ` makes all ${stretch.toFixed(2)} times as wide as it is`;
-  if (angle_deg !== null) {
+  text += right ? ", the camera's own" : `: all ${stretch.toFixed(2)} times as wide as it is`;
+  if (angle_deg !== null && !hasGoal(model)) {
     const names = cloud.faces.map(([name]) => name).join(" and ");
     text += `; ${names} meet at ${angle_deg.toFixed(1)}°`;
   }
@@ -211,6 +211,27 @@ function inWords({ points, f, stretch, angle_deg, point_camera, point_world }, m
   if (!point_camera) return `${text}: no surface closer than ${model.get("far").toFixed(2)} m.`;
   text += ` is at ${inMeters(point_camera)} from the camera`;
   return point_world ? `${text}, at ${inMeters(point_world)} in the world.` : `${text}.`;
+}
+
+/** Whether the line of the goal tells the angle. */
+function hasGoal(/** @type {CloudModel} */ model) {
+  return "parts" in (model.get("goal") ?? {});
+}
+
+/**
+ * As long a text as may come, in as many lines.
+ * @param {Cloud} cloud
+ * @param {boolean} isAngleTold elsewhere
+ */
+function makeLongest({ faces, worldFromCamera }, isAngleTold) {
+  const angle =
+    faces.length && !isAngleTold ? `; ${faces[0][0]} and ${faces[1][0]} meet at 101.3°` : "";
+  const point = "(-0.250, -0.091, 0.831) m";
+  const world = worldFromCamera ? `, at ${point} in the world` : "";
+  return (
+    `297,179 points. f = 461.0 px: all 1.26 times as wide as it is${angle}.\n` +
+    `Pixel (600, 400) is at ${point} from the camera${world}.`
+  );
 }
 
 /**

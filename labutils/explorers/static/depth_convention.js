@@ -21,6 +21,13 @@ const BUFFERS = /** @type {const} */ ([
   ["step_reversed_mm", "float32, reversed"],
 ]);
 
+// where along its curve each one is named, and on which side: no curve runs through a name
+const LABELS = [
+  { text: "true", kind: "", anchor: "end", share: 0.3, dx: -7, dy: -7, read: metricToRaw },
+  { text: "linear", kind: "soft", anchor: "start", share: 0.6, dx: 8, dy: 16, read: readLinear },
+  { text: "reversed", kind: "soft", anchor: "middle", share: 0.8, dx: 0, dy: -9, read: readBack },
+];
+
 /** @typedef {ReturnType<typeof readRaw>} RawValues */
 
 export default defineView("depth-convention", start);
@@ -30,9 +37,9 @@ export default defineView("depth-convention", start);
  * @param {Frame} frame
  */
 function start(model, frame) {
-  const pair = make("div", "explorer-pair", frame.stage);
-  const curve = makeCurve(pair);
-  const table = makeTable(pair);
+  const curve = makeCurve(frame.stage);
+  const table = makeTable(frame.side);
+  frame.reserve(describeLongest());
   /** @returns {Triple} */
   const get = () => [
     model.get("raw"),
@@ -58,6 +65,12 @@ function start(model, frame) {
   });
 }
 
+/** Of all values the longest text: far planes are at 100 m at most. */
+function describeLongest() {
+  const errors = { linear_error: 99.999, reversed_error: -99.999 };
+  return inWords({ ...readRaw(0.5, 0.125, 99.9), depth: 50, ...errors }, 0.5, 0.125, 99.9);
+}
+
 /**
  * What a raw value means; the same as DepthConventionView.compute in Python.
  * @param {number} raw
@@ -77,6 +90,16 @@ export function readRaw(raw, near, far) {
   };
 }
 
+/** @type {(depth: number, near: number, far: number) => number} */
+function readLinear(depth, near, far) {
+  return (depth - near) / (far - near);
+}
+
+/** @type {(depth: number, near: number, far: number) => number} */
+function readBack(depth, near, far) {
+  return 1 - metricToRaw(depth, near, far);
+}
+
 /**
  * The hyperbola with the point on it, and the two readings that are wrong.
  * @param {Element} parent
@@ -87,7 +110,7 @@ function makeCurve(parent) {
     x: { label: "depth (m)" },
     y: { label: "raw value" },
   });
-  const { area, inside, above } = plot;
+  const { inside, above } = plot;
   const reversed = addShape(inside, "path", { class: "explorer-rival dotted" });
   const linear = addShape(inside, "path", { class: "explorer-rival dashed" });
   const curve = addShape(inside, "path", { class: "explorer-curve" });
@@ -96,17 +119,9 @@ function makeCurve(parent) {
     addShape(above, "circle", { r: 5, class: "explorer-rival-point" }),
   );
   const point = addShape(above, "circle", { r: 7, class: "explorer-point" });
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {string} name
-   * @param {string} text
-   */
-  const write = (x, y, name, text) =>
-    addShape(above, "text", { x, y, class: `halo ${name}` }, text);
-  write(area.left + 46, area.top + 24, "", "true");
-  write((area.left + area.right) / 2 + 12, (area.top + area.bottom) / 2 + 12, "soft", "linear");
-  write(area.right - 66, area.bottom - 8, "soft", "reversed");
+  const names = LABELS.map(({ text, anchor, kind }) =>
+    addShape(above, "text", { class: `halo ${kind}`, "text-anchor": anchor }, text),
+  );
   let drawn = "";
   return {
     plot,
@@ -124,6 +139,13 @@ function makeCurve(parent) {
         setShape(curve, { d: toPath(points.map(([x, d]) => [x, plot.y(d)])) });
         setShape(reversed, { d: toPath(points.map(([x, d]) => [x, plot.y(1 - d)])) });
         setShape(linear, { d: `M${plot.x(near)} ${plot.y(0)}L${plot.x(far)} ${plot.y(1)}` });
+        for (const [i, { share, dx, dy, read }] of LABELS.entries()) {
+          const depth = near + share * (far - near);
+          setShape(names[i], {
+            x: plot.x(depth) + dx,
+            y: plot.y(read(depth, near, far)) + dy,
+          });
+        }
       }
       const [x, y] = [plot.x(values.depth), plot.y(raw)];
       const wrong = [values.linear_error, values.reversed_error].map((one) =>
@@ -229,6 +251,7 @@ function inWords({ depth, linear_error, reversed_error }, raw, near, far) {
   return (
     `Raw ${raw.toFixed(5)} between ${Number(near.toPrecision(3))} and ${Number(far.toPrecision(4))} m ` +
     `is ${formatMeters(depth)}. Taken for linear: ${wrong(linear_error)}. ` +
-    `Taken for reversed: ${wrong(reversed_error)}.`
+    `Taken for reversed: ${wrong(reversed_error)}. ` +
+    `Half of the scale ends at ${formatMeters(processDepth(0.5, near, far))}.`
   );
 }

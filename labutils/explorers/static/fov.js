@@ -4,7 +4,10 @@
 import { fovFromFocal, intrinsicsMatrix } from "./_camera.js";
 import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
 import { decodePng, toImageData } from "./_png.js";
-import { drawTopView, makeTopView } from "./_top_view.js";
+import { describeRay, makeRayPointer } from "./_ray_pointer.js";
+import { makeTopView } from "./_top_view.js";
+
+const HINT = "Point at the picture: which ray is it?";
 
 export default defineView("fov", start);
 
@@ -19,20 +22,24 @@ async function start(model, frame) {
   wide.height = image.height;
   getContext(wide).putImageData(image, 0, 0);
 
-  frame.stage.classList.add("explorer-fov");
+  const landmarks = model.get("landmarks");
   const canvas = makeCanvas(frame.stage, 640, 480, "What the camera sees");
-  const side = make("div", "explorer-side", frame.stage);
-  const top = makeTopView(side);
-  const table = makeMatrix(side);
-  drawOnChange(model, frame, () => {
+  const top = makeTopView(frame.side, landmarks);
+  const table = makeMatrix(frame.side);
+  const longest = { ...describeCamera(20, [1280, 960]), seen: [] };
+  frame.reserve(inWords(longest, landmarks, describeRay({ u: 1000, v: 900, right: 20, up: -20 })));
+  const pointer = makeRayPointer(canvas, () => later());
+  const later = drawOnChange(model, frame, () => {
     const [fov, size] = [model.get("fov_y_deg"), model.get("sizes")[model.get("size")]];
     drawCrop(canvas, wide, fov, model.get("max_fov_deg"), size);
     const camera = describeCamera(fov, size);
-    const seen = drawTopView(top, camera.fov_x_deg, model.get("landmarks"));
-    const values = { ...camera, seen };
+    const ray = pointer.show(camera.K, size);
+    const seen = top.show(camera.fov_x_deg, ray);
+    const values = { ...camera, spare_deg: findSpare(fov, landmarks), seen };
     table.show(values.K);
-    frame.tell(inWords(values, model.get("landmarks").length > 0), values);
+    frame.tell(inWords(values, landmarks, ray ? describeRay(ray) : HINT), values);
   });
+  top.onPoint(pointer.pointAt);
 }
 
 /**
@@ -94,14 +101,31 @@ function makeMatrix(parent) {
 }
 
 /**
- * @param {{ f: number, fov_x_deg: number, mm_per_px: number, seen: string[] }} values
- * @param {boolean} isMarked
+ * How far the angle could close with all things whole; negative where one is cut.
+ * @param {number} fov
+ * @param {Landmark[]} landmarks
  */
-function inWords({ f, fov_x_deg, mm_per_px, seen }, isMarked) {
-  const things = seen.length ? seen.join(", ") : "none of the objects";
+function findSpare(fov, landmarks) {
+  let largest = 0;
+  for (const { half_tan } of landmarks) {
+    if (half_tan === null) return null;
+    largest = Math.max(largest, half_tan);
+  }
+  return landmarks.length ? fov - (2 * Math.atan(largest) * 180) / Math.PI : null;
+}
+
+/**
+ * @param {{ f: number, fov_x_deg: number, mm_per_px: number, seen: string[] }} values
+ * @param {Landmark[]} landmarks
+ * @param {string} pointed
+ */
+function inWords({ f, fov_x_deg, mm_per_px, seen }, landmarks, pointed) {
+  const outside = landmarks.map(({ name }) => name).filter((name) => !seen.includes(name));
+  const things = outside.length ? `Outside: ${outside.join(", ")}.` : "All objects are inside.";
   return (
     `f = ${f.toFixed(1)} px; ${fov_x_deg.toFixed(1)}° from left to right. ` +
-    `At 1 m a pixel covers ${mm_per_px.toFixed(2)} mm.` +
-    (isMarked ? ` Inside, from left to right: ${things}.` : "")
+    `At 1 m a pixel covers ${mm_per_px.toFixed(2)} mm. ` +
+    (landmarks.length ? `${things} ` : "") +
+    pointed
   );
 }

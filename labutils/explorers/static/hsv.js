@@ -9,6 +9,12 @@ import { makePicker } from "./_picker.js";
 import { decodePng } from "./_png.js";
 import { makeSegmenter } from "./_segment.js";
 
+const LEAST_SHARE = 0.15; // of the place, for either side of a picture
+const HINT = "Tap the picture to read a pixel.";
+const LONGEST =
+  "Selected: 100.0% (307,200 pixels). Centroid: (320, 240). Pixel (320, 240): RGB 100 100 100, " +
+  "HSV 100 100 100, excluded by hue, saturation, value, but filled in by closing.";
+
 export default defineView("hsv", start);
 
 /**
@@ -16,8 +22,11 @@ export default defineView("hsv", start);
  * @param {Frame} frame
  */
 async function start(model, frame) {
-  const scene = await decodePng(model.get("rgb_png"));
-  frame.stage.classList.add("explorer-hsv");
+  const [scene, truth] = await Promise.all([
+    decodePng(model.get("rgb_png")),
+    readTruth(model.get("truth_png")),
+  ]);
+  frame.reserve(LONGEST);
   // one place of the scene's shape for every picture, so that nothing moves when it changes
   const place = make("div", "explorer-hsv-picture", frame.stage);
   place.style.aspectRatio = `${scene.width} / ${scene.height}`;
@@ -28,7 +37,7 @@ async function start(model, frame) {
     canvas,
     label: "The picture, dimmed where nothing is selected",
   });
-  const ring = makeHueRing(frame.stage, model);
+  const ring = makeHueRing(frame.side, model);
 
   /** @type {ReturnType<typeof makeSegmenter>} */
   let segmenter;
@@ -38,16 +47,18 @@ async function start(model, frame) {
   const show = (picture) => {
     segmenter = makeSegmenter(picture);
     overlay = makeOverlay(canvas, picture);
-    const shrink = Math.min(1, (picture.width * scene.height) / (picture.height * scene.width));
-    holder.style.width = `${100 * shrink}%`;
+    fitInto(holder, picture, scene);
     frame.root.dataset.picture = picture === scene ? "scene" : "own";
+    frame.suspendGoal(picture !== scene);
   };
   show(scene);
   const draw = drawOnChange(model, frame, () => {
     const limits = readLimits(model);
     const found = segmenter.segment(limits, model.get("open_radius"), model.get("close_radius"));
     overlay.draw(segmenter.mask, model.get("shown"), found.centroid);
-    const values = { ...found, ...segmenter.describePixel(model.get("pixel"), limits) };
+    const isKnown = truth && frame.root.dataset.picture === "scene";
+    const iou = isKnown ? segmenter.findIou(truth, found.count) : null;
+    const values = { ...found, iou, ...segmenter.describePixel(model.get("pixel"), limits) };
     ring.show(limits, values.pixel_hsv, values.pixel_rgb);
     frame.tell(describeSelection(values, model.get("pixel")), values);
   });
@@ -61,6 +72,33 @@ async function start(model, frame) {
       draw();
     },
   });
+}
+
+/**
+ * The places of the pixels to select, row by row; null where nobody knows them.
+ * @param {DataView<ArrayBuffer>} png
+ */
+async function readTruth(png) {
+  if (!png.byteLength) return null;
+  const { data } = await decodePng(png);
+  const places = [];
+  for (let at = 0; at < data.length; at++) if (data[at]) places.push(at);
+  return Uint32Array.from(places);
+}
+
+/**
+ * Show a picture as large as its place allows. A very long one would be a line: it is stretched.
+ * @param {HTMLElement} holder
+ * @param {Picture} picture
+ * @param {Picture} place
+ */
+function fitInto(holder, { width, height }, place) {
+  const shape = (width * place.height) / (height * place.width);
+  const wide = Math.max(LEAST_SHARE, Math.min(1, shape));
+  const high = Math.max(LEAST_SHARE, Math.min(1, 1 / shape));
+  holder.style.width = `${100 * wide}%`;
+  holder.style.aspectRatio = `${wide * place.width} / ${high * place.height}`;
+  holder.classList.toggle("explorer-coarse", 2 * width < place.width && 2 * height < place.height);
 }
 
 /**
@@ -80,7 +118,7 @@ function readLimits(model) {
  * @param {HsvValues} values
  * @param {Pixel} pixel
  */
-function describeSelection({ share, count, centroid, ...picked }, pixel) {
+function describeSelection({ share, count, centroid, iou: _, ...picked }, pixel) {
   const digits = share > 0 && share < 0.0995 ? 2 : 1;
   const where = centroid ? `(${centroid.join(", ")})` : "none";
   return (
@@ -94,12 +132,12 @@ function describeSelection({ share, count, centroid, ...picked }, pixel) {
  * @param {Pixel} pixel
  */
 function describePicked(values, pixel) {
-  if (!values.pixel_hsv) return "";
+  if (!values.pixel_hsv) return ` ${HINT}`;
   const [rgb, hsv] = [values.pixel_rgb.join(" "), values.pixel_hsv.join(" ")];
   const told = ` Pixel (${pixel.join(", ")}): RGB ${rgb}, HSV ${hsv}, `;
-  const reasons = values.pixel_excluded_by.join(" and by ");
+  const reasons = values.pixel_excluded_by.join(", ");
   if (reasons) {
-    return `${told}excluded by ${reasons}${values.pixel_selected ? ", filled in by closing" : ""}.`;
+    return `${told}excluded by ${reasons}${values.pixel_selected ? ", but filled in by closing" : ""}.`;
   }
-  return `${told}inside${values.pixel_selected ? "" : ", removed by opening"}.`;
+  return `${told}inside${values.pixel_selected ? "" : ", but removed by opening"}.`;
 }

@@ -23,19 +23,15 @@ export default defineView("scene", start);
 async function start(model, frame) {
   let shown = await readFirst(model);
   const { width, height } = shown;
-  const stage = make("div", "explorer-scene", frame.stage);
-  const color = makeCanvas(
-    stage,
-    width,
-    height,
-    "Color: turn the head with the arrow keys or drag",
-  );
+  const label = "Color: turn the head with the arrow keys or drag";
+  const color = makeCanvas(frame.stage, width, height, label);
   color.classList.add("explorer-scene-color");
   makeLookControls(model, color);
-  const depth = makeCanvas(stage, width, height, "Depth");
+  const depth = makeCanvas(frame.side, width, height, "Depth");
   makePicker({ model, frame, canvas: depth, label: "Depth picture: read one pixel" });
   const paint = makePainter(model, color, depth);
   const note = makeNote(frame);
+  frame.reserve(inWords({ ...describe(model, shown), pixel_depth: 1 }, [100, 100]));
 
   const again = drawOnChange(model, frame, () => {
     const values = describe(model, shown);
@@ -72,7 +68,8 @@ async function readFirst(model) {
   ]);
   const { width, height, data } = rgba;
   const { pixel: _, ...pose } = model.get("start"); // of which this picture is
-  return { width, height, rgb: Uint8Array.from(data), steps: Uint16Array.from(depth.data), pose };
+  const [rgb, steps] = [Uint8Array.from(data), Uint16Array.from(depth.data)];
+  return { width, height, rgb, steps, pose, ball_px: model.get("ball_px") };
 }
 
 /**
@@ -122,12 +119,12 @@ function makeNote(frame) {
 }
 
 /**
- * What is shown, and of the pixel, how far away it is.
+ * What is shown, how far the ball is from the middle, and of the pixel, how far away it is.
  * @param {SceneModel} model
  * @param {SceneFrame} shown
  * @returns {SceneValues}
  */
-function describe(model, { pose, steps, width }) {
+function describe(model, { pose, steps, width, height, ball_px: [ballU, ballV] }) {
   const [u, v] = model.get("pixel");
   const count = u === undefined ? 0 : steps[v * width + u];
   const valid = model.get("valid_steps");
@@ -136,6 +133,8 @@ function describe(model, { pose, steps, width }) {
     ...pose,
     is_current: isSamePose(pose, readPose(model)),
     pixel_depth: sees ? count * model.get("depth_step") : null,
+    ball_off_px:
+      ballU === undefined ? null : Math.hypot(ballU - (width - 1) / 2, ballV - (height - 1) / 2),
   };
 }
 
