@@ -39,7 +39,7 @@ BLOCK = re.compile(r"^(`{3,})[^\n]*\n.*?^\1$", re.DOTALL | re.MULTILINE)
 UNREAD = re.compile(r"^:\w+:.*$|^:{3,}.*$|^\([\w-]+\)=$", re.MULTILINE)
 # what is written by a tool: minutes must not depend on themselves
 MARKED = re.compile(r"<!-- begin ([\w ]+) -->\n.*?<!-- end \1 -->\n", re.DOTALL)
-WORD = re.compile(r"\w[\w'’.,-]*")
+WORD = re.compile(r"\w[\w'.,-]*")
 CARD_ROW = re.compile(r"^\| (Reading|Doing) \| (?:about \d+ minutes|as long again)", re.MULTILINE)
 
 

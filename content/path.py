@@ -62,9 +62,7 @@ def read_path(words: Mapping[str, Any], root: Path = ROOT) -> tuple[Leg, ...]:
     tasks: dict[str, list[Task]] = {}
     for name, one in words.items():
         level = get_difficulty(one["difficulty"])
-        tasks.setdefault(one["chapter"], []).append(
-            Task(name, one["title"], one["points"], level)
-        )
+        tasks.setdefault(one["chapter"], []).append(Task(name, one["title"], one["points"], level))
     return tuple(
         Leg(
             chapter,
@@ -87,9 +85,7 @@ def add_minutes(tasks: Iterable[Task]) -> int:
 
 def get_minimal_minutes(path: Iterable[Leg]) -> int:
     """Return how long the minimal path takes: required pages and required exercises."""
-    return sum(
-        leg.minutes.total + add_minutes(leg.required) for leg in path if leg.is_required
-    )
+    return sum(leg.minutes.total + add_minutes(leg.required) for leg in path if leg.is_required)
 
 
 def get_strong_minutes(path: Iterable[Leg]) -> int:

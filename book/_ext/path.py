@@ -26,13 +26,10 @@ from content.path import (
 from labutils.checks.table import TABLES, WORDS, read_words
 
 HOW = ("book/start", "start-time")  # where the minutes are explained
+PLACE = "path-place"  # class of what stands there until links are known
 SCRIPT = "path_rows.js"
+AFTER_PATH_JS = 900  # what the configuration names, comes with 800
 LinkTo = Callable[[str], str]
-
-
-# without children; doctree-resolved puts the rows in its place, when links are known
-class path_rows(nodes.General, nodes.Element):  # noqa: N801 - docutils writes nodes small
-    """Where the path will stand."""
 
 
 class PathDirective(SphinxDirective):
@@ -42,15 +39,17 @@ class PathDirective(SphinxDirective):
         """Return the place of the rows."""
         # Sphinx reads the page again when what is counted changes
         pages = [f"{one.page}.md" for one in chapters.load_chapters()]
-        sources = [Path(TABLES, WORDS), Path(page_minutes.__file__), chapters.REGISTRY, *pages]
-        for source in sources:
+        registry = chapters.REGISTRY.as_posix()
+        for source in (str(TABLES / WORDS), page_minutes.__file__, registry, *pages):
             self.env.note_dependency(str(Path(self.env.srcdir, source)))
-        return [path_rows()]
+        return [nodes.container(classes=[PLACE])]
 
 
 def fill_places(app: Sphinx, tree: nodes.document, page: str) -> None:
     """Put the rows where a page asks for them."""
-    for place in list(tree.findall(path_rows)):
+    for place in list(tree.findall(nodes.container)):
+        if PLACE not in place["classes"]:
+            continue
         html = ""
         if app.builder.format == "html":
             link_to = lambda other: app.builder.get_relative_uri(page, other)  # noqa: E731
@@ -68,7 +67,7 @@ def add_script(
 ) -> None:
     """Load what tells how far the reader is, on pages with rows."""
     if doctree is not None and doctree.get("has_path"):
-        app.add_js_file(SCRIPT, defer="defer")
+        app.add_js_file(SCRIPT, priority=AFTER_PATH_JS, defer="defer")
 
 
 def make_path(path: tuple[Leg, ...], link_to: LinkTo) -> str:
@@ -85,7 +84,7 @@ def make_path(path: tuple[Leg, ...], link_to: LinkTo) -> str:
     challenges = sum(len(leg.optional) for leg in path if not leg.chapter.is_extension)
     page, anchor = HOW
     return (
-        '<div class="path">'
+        '<div class="path is-wide">'
         f"<p>The <strong>minimal path</strong> takes {say_hours(get_minimal_minutes(path))}: the "
         f"steps and their {required} required exercises. The <strong>strong path</strong> adds "
         f"the pages marked optional and {challenges} challenges: "
@@ -114,12 +113,12 @@ def _make_row(leg: Leg, link_to: LinkTo) -> str:
         link = f'<a href="{escape(marks["exercises"])}">Exercises</a>'
         facts.append(f"{link}: {', '.join(filter(None, exercises))}")
     elif not leg.is_required:
-        facts.append("optional: skip what you know")
+        facts.append("Optional: skip what you know")
     return (
         f'<li{data}><a class="path-title" href="{escape(link_to(chapter.page))}">'
         f"{escape(chapter.heading)}</a>"
-        + "".join(f'<span class="path-fact">{one}</span>' for one in facts)
-        + '<span class="path-done" hidden></span></li>'
+        f'<span class="path-facts">{". ".join(facts)}.</span>'
+        '<span class="path-done" hidden></span></li>'
     )
 
 
@@ -138,7 +137,6 @@ def _list_questions(page: str) -> list[str]:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Name the directive to Sphinx, and connect the hooks."""
-    app.add_node(path_rows)
     app.add_directive("path", PathDirective)
     app.connect("doctree-resolved", fill_places)
     app.connect("html-page-context", add_script)

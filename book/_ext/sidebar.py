@@ -5,14 +5,16 @@ the keyboard. With twelve short lines nothing needs to be folded. Beside the exe
 for the count of those that are solved, which ``path.js`` fills.
 """
 
-from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from bs4 import BeautifulSoup
 from sphinx.application import Sphinx
 
 from content.chapters import list_taught
 from labutils.checks.table import read_words
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 PRIORITY = 900  # after the theme has made its function
 

@@ -47,22 +47,23 @@
     }
   }
 
-  function drawCounts(/** @type {Done} */ done) {
+  function drawCounts(/** @type {PathDone} */ done) {
     /** @type {NodeListOf<HTMLElement>} */
     const places = document.querySelectorAll(".path-count");
     for (const place of places) {
       const names = getNames(place.dataset.exercises);
       const solved = names.filter(done.isSolved).length;
-      place.textContent = `${solved}/${names.length}`;
+      const isDone = solved === names.length;
+      place.textContent = isDone ? "✓" : `${solved}/${names.length}`;
       place.setAttribute("role", "img");
       place.setAttribute("aria-label", `${solved} of ${names.length} solved`);
-      place.classList.toggle("is-done", solved === names.length);
+      place.classList.toggle("is-done", isDone);
       place.hidden = false;
     }
   }
 
   /** Let the skip link lead to the first exercise of the page that is not solved. */
-  function aimSkipLink(/** @type {Done} */ done) {
+  function aimSkipLink(/** @type {PathDone} */ done) {
     const link = /** @type {HTMLAnchorElement | null} */ (document.querySelector(".path-skip"));
     /** @type {NodeListOf<HTMLElement>} */
     const mounts = document.querySelectorAll("[data-exercise]");
@@ -70,7 +71,7 @@
     if (link && next) link.hash = `exercise-${String(next.dataset.exercise).replaceAll("_", "-")}`;
   }
 
-  /** @type {((done: Done) => void)[]} */
+  /** @type {((done: PathDone) => void)[]} */
   const drawings = [drawCounts, aimSkipLink];
 
   function draw() {

@@ -54,6 +54,7 @@ K, fov_y = lab.get_camera_intrinsics(model, "head_camera", 640, 480)
 ```
 """
 
+
 def select(exercises: Mapping[str, Exercise], chapter: Chapter) -> list[Exercise]:
     """Return the exercises of a chapter."""
     return [one for one in exercises.values() if one.chapter == chapter.id]

@@ -2,9 +2,9 @@
 
 Writes the starters (signature and docstring, no body), the frozen tables a check reads, the marked
 parts of the exercise pages and chapters, the minutes on cards, the tables of points and of time,
-the instructor's list of hints, and the table of what keeps which sentence. With ``--check`` nothing is written: the script
-fails where a file differs from what its card gives. It fails anyway where a sentence is kept by
-nothing, or a check is asked for by no sentence.
+the instructor's list of hints, and the table of what keeps which sentence. With ``--check`` nothing
+is written: the script fails where a file differs from what its card gives. It fails anyway where a
+sentence is kept by nothing, or a check is asked for by no sentence.
 """
 
 from __future__ import annotations

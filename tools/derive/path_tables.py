@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from content import page_minutes
 from content.difficulty import LEVELS
-from content.path import get_minimal_minutes, get_strong_minutes, say_hours
+from content.path import add_minutes, get_minimal_minutes, get_strong_minutes, say_hours
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -34,6 +34,17 @@ The minutes on all pages come from one formula:
 |---|---|
 {make_formula()}
 """
+
+
+def make_steps(path: Sequence[Leg]) -> str:
+    """Return the path as a table of Markdown, with links from the pages of the book."""
+    rows = [
+        f"| [{leg.chapter.heading}]({leg.chapter.stem}.md) | {leg.minutes.reading} "
+        f"| {leg.minutes.doing} | {add_minutes(leg.required)} | {add_minutes(leg.optional)} |"
+        for leg in path
+    ]
+    head = "| Page | Reading, min | Doing, min | Required exercises, min | Challenges, min |"
+    return "\n".join([head, "|---|---:|---:|---:|---:|", *rows]) + "\n"
 
 
 def make_formula() -> str:

@@ -187,8 +187,8 @@ to show, the solutions, the mistakes that the checks recognize, and the points.
 | {len(every) - len(lab)} |{"".join(f"{chr(10)}{row}" for row in extensions)}
 
 {QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are counted
-from the pages, a plan rather than a measurement: nobody has timed learners of this book yet. *Doing*
-counts the exercises and challenges of the step too.
+from the pages, a plan rather than a measurement: nobody has timed learners of this book yet.
+*Doing* counts the exercises and challenges of the step too.
 
 | What | Time |
 |---|---|
