@@ -68,7 +68,8 @@
     /** @type {NodeListOf<HTMLElement>} */
     const mounts = document.querySelectorAll("[data-exercise]");
     const next = [...mounts].find(({ dataset }) => !done.isSolved(String(dataset.exercise)));
-    if (link && next) link.hash = `exercise-${String(next.dataset.exercise).replaceAll("_", "-")}`;
+    if (link && next)
+      link.setAttribute("href", `#exercise-${String(next.dataset.exercise).replaceAll("_", "-")}`);
   }
 
   /** @type {((done: PathDone) => void)[]} */
