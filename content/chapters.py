@@ -84,6 +84,11 @@ class Chapter:
         return f"{self.name}: {self.title}"
 
     @property
+    def lower(self) -> str:
+        """Its name inside a sentence."""
+        return self.name[0].lower() + self.name[1:]
+
+    @property
     def is_extension(self) -> bool:
         """Whether it lies outside of the lab and its points."""
         return self.kind == EXTENSION

@@ -267,7 +267,20 @@ interface WatchedExercise {
   say: Say;
 }
 
+/** What the reader has done, by names of exercises, questions and predictions; see path.js. */
+interface PathDone {
+  isEmpty: boolean;
+  isSolved(name: string): boolean;
+  isTried(name: string): boolean;
+  isPredicted(name: string): boolean;
+  isAnswered(name: string): boolean;
+  isRight(name: string): boolean;
+}
 interface CameraLab {
+  path: {
+    drawings: ((done: PathDone) => void)[];
+    getNames(text: string | undefined): string[];
+  };
   searchIndex?: SearchIndex;
   searchEngine: {
     makeEngine(index: SearchIndex, MiniSearch: typeof import("minisearch").default): SearchEngine;

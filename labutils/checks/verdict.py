@@ -90,6 +90,11 @@ class Verdict:
         return self.result == "passed"
 
     @property
+    def is_begun(self) -> bool:
+        """False for a starter that nobody has touched: it fails, and nothing is counted."""
+        return self.result != "failed" or self.counted
+
+    @property
     def headline(self) -> str:
         """The first line."""
         gate = f" ({self.failed_gate})" if self.failed_gate else ""
@@ -115,9 +120,11 @@ class Verdict:
             target = html.escape(self.link)
             name = html.escape(name_link(self.link))
             body += f'<div>Read again: <a href="{target}" style="color:inherit">{name}</a></div>'
-        color = _MARKS[self.result][1]
+        # what nobody has begun is no mistake, and looks like none
+        color = _MARKS[self.result if self.is_begun else "not checked"][1]
+        begun = "" if self.is_begun else ' data-begun="false"'
         return (
-            f'<div style="border-left:4px solid {color};padding:0.1em 0.8em;margin:0.4em 0">'
+            f'<div{begun} style="border-left:4px solid {color};padding:0.1em 0.8em;margin:0.4em 0">'
             f'<div><strong style="color:inherit">{html.escape(self.headline)}</strong></div>'
             f"{body}{self._get_picture_html()}</div>"
         )

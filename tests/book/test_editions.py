@@ -19,7 +19,6 @@ import yaml
 
 import labutils
 from content.chapters import list_taught
-from content.page_minutes import parse_minutes
 from labutils.checks.table import Part, Raised
 from solutions import load_exercises
 from tests.helpers.chapters import ROOT, get_executable_pages, get_toc_pages
@@ -127,21 +126,6 @@ def test_every_chapter_has_notes_and_minutes(pages: dict[Path, str]) -> None:
         minutes = re.findall(r"^\| (?:Reading|Doing) \| about (\d+) minutes", text, re.MULTILINE)
         assert len(minutes) == 2, f"{chapter.page}: expected a card with Reading and Doing"
         assert min(map(int, minutes)) > 0, f"{chapter.page}: expected minutes to read and to do"
-
-
-@pytest.mark.parametrize(
-    ("card", "reading", "doing"),
-    [
-        ("| Reading | about 20 minutes |\n| Doing | about 25 minutes |\n", 20, 25),
-        ("| Reading | about 20 minutes |\n| Doing | as long again |\n", 20, 20),
-        ("| Reading | about 10 to 20 minutes |\n", 15, 0),
-        ("| Time | about 110 minutes |\n", 0, 110),
-        ("no card\n", 0, 0),
-    ],
-)
-def test_minutes_are_read_from_the_card(card: str, reading: int, doing: int) -> None:
-    minutes = parse_minutes(card)
-    assert (minutes.reading, minutes.doing) == (reading, doing)
 
 
 def test_what_is_measured_of_a_mistake_agrees_with_the_card() -> None:

@@ -118,7 +118,7 @@ def test_exercise_pages_state_start_check_and_hint_each_exercise(chapter: Chapte
     cards = [one for one in load_exercises().values() if one.chapter == chapter.id]
     assert cards, chapter.id
     for card in cards:
-        label = f"(exercise-{card.name.replace('_', '-')})=\n## "
+        label = f"(exercise-{card.name.replace('_', '-')})=\n### "
         _, _, tail = text.partition(label)
         section, _, _ = tail.partition("\n(exercise-")
         starter = (ROOT / "exercises/_generated" / f"{card.name}.py").read_text(encoding="utf-8")

@@ -172,7 +172,7 @@ def test_an_exercise_gets_its_card_its_statement_and_its_variants(small: Path) -
     assert f"place={max(taken) + 1}," in card
     page = (small / "exercises/step2_intrinsics.md").read_text(encoding="utf-8")
     assert page.startswith((ROOT / "exercises/step2_intrinsics.md").read_text(encoding="utf-8"))
-    assert "(exercise-scale-intrinsics)=\n## FILL: " in page
+    assert "(exercise-scale-intrinsics)=\n### FILL: " in page
     assert 'example="show(scale_intrinsics(K, s))",' in card
     example, _, rest = page.partition("<!-- begin example scale_intrinsics -->\n")[2].partition(
         "\n"

@@ -1,10 +1,10 @@
 """Derive everything an exercise needs from its card in solutions/: what `make exercises` runs.
 
 Writes the starters (signature and docstring, no body), the frozen tables a check reads, the marked
-parts of the exercise pages and chapters, the rubric table of the book, the instructor's list of
-hints, and the table of what keeps which sentence. With ``--check`` nothing is written: the script
-fails where a file differs from what its card gives. It fails anyway where a sentence is kept by
-nothing, or a check is asked for by no sentence.
+parts of the exercise pages and chapters, the minutes on cards, the tables of points and of time,
+the instructor's list of hints, and the table of what keeps which sentence. With ``--check`` nothing
+is written: the script fails where a file differs from what its card gives. It fails anyway where a
+sentence is kept by nothing, or a check is asked for by no sentence.
 """
 
 from __future__ import annotations
@@ -19,19 +19,18 @@ from typing import Any
 
 import numpy as np
 
-from content.chapters import list_required, list_taught
+from content.chapters import READING, list_required, list_taught, load_chapters
+from content.page_minutes import fill_card
+from content.path import read_path
 from labutils.checks.table import WORDS, CheckTable
 from labutils.checks.writing import encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
 from tools.derive.contract import GapError, make_contract
-from tools.derive.exercise_pages import (
-    describe_points,
-    fill_chapter,
-    fill_page,
-    make_link,
-    select,
-)
+from tools.derive.difficulty import rate_exercise
+from tools.derive.exercise_cards import describe_points, make_link
+from tools.derive.exercise_pages import fill_chapter, fill_page, select
+from tools.derive.path_tables import make_path_tables
 from tools.derive.starters import make_starter
 from tools.scaffold.unfilled import find_unfilled
 from tools.stable_zip import make_zip
@@ -39,6 +38,7 @@ from tools.stable_zip import make_zip
 TABLES = Path("labutils/checks/tables")
 STARTERS = Path("exercises/_generated")
 RUBRIC = Path("book/_generated/rubric.md")
+PATH = Path("book/_generated/path.md")
 HINTS = Path("solutions/_generated/hints.md")
 CONTRACT = Path("solutions/_generated/contract.md")
 NOTE = "Written by tools/derive/exercises.py from the cards in solutions/: run `make exercises`."
@@ -76,6 +76,7 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
     for name, exercise in exercises.items():
         table = exercise.freeze()
         words[name], files[TABLES / f"{name}.npz"] = make_table(table, exercise.example)
+        words[name]["difficulty"] = rate_exercise(exercise).name
         head = f'"""Starter of the exercise {name}.\n\n{NOTE}\n"""\n\n'
         files[STARTERS / f"{name}.py"] = (head + make_starter(exercise)).encode()
     files[TABLES / WORDS] = (json.dumps(words, indent=1) + "\n").encode()
@@ -84,6 +85,11 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
             path = Path(page).with_suffix(".md")
             text = (ROOT / path).read_text(encoding="utf-8")
             files[path] = fill(text, exercises, chapter).encode()
+    for chapter in load_chapters():
+        path = Path(chapter.page).with_suffix(".md")
+        if chapter.kind == READING:
+            files[path] = fill_card((ROOT / path).read_text(encoding="utf-8")).encode()
+    files[PATH] = make_path_tables(read_path(words), NOTE).encode()
     files[RUBRIC] = make_rubric(exercises).encode()
     files[HINTS] = make_hints(exercises).encode()
     files[CONTRACT] = make_contract(exercises, NOTE).encode()

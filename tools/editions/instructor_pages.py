@@ -18,7 +18,7 @@ import numpy as np
 import yaml
 
 from content.chapters import list_taught
-from content.page_minutes import Minutes, read_minutes
+from content.page_minutes import Minutes, measure_page
 from content.toc import read_toc
 from labutils.checks.explain import FAMILIES
 from labutils.checks.kinds import KINDS
@@ -26,6 +26,8 @@ from labutils.checks.table import Raised
 from solutions import QUALITY_POINTS, load_exercises
 from tools import ROOT
 from tools.derive.contract import make_tables as make_contract_tables
+from tools.derive.difficulty import rate_exercise
+from tools.derive.path_tables import make_formula
 from tools.editions.card_code import find_called, is_answered_by_library
 from tools.editions.mistakes import SEEDS, Measured, measure
 
@@ -88,7 +90,7 @@ def make_pages(root: Path) -> dict[Path, str]:
     chapters: dict[Chapter, list[Exercise]] = {one: [] for one in list_taught(root)}
     for exercise in load_exercises().values():
         chapters[exercise.home].append(exercise)
-    minutes = read_minutes(root)
+    minutes = {one.id: measure_chapter(root, one, exercises) for one, exercises in chapters.items()}
     pages = {PAGES / "index.md": make_overview(chapters, minutes)}
     for chapter, exercises in chapters.items():
         pages[PAGES / f"{chapter.id}.md"] = make_chapter(
@@ -97,6 +99,12 @@ def make_pages(root: Path) -> dict[Path, str]:
     pages[PAGES / "checks.md"] = make_checks(root)
     pages[PAGES / "contract.md"] = make_contract_page()
     return pages
+
+
+def measure_chapter(root: Path, chapter: Chapter, exercises: Iterable[Exercise]) -> Minutes:
+    """Say how long a chapter takes with all of its exercises."""
+    practice = sum(rate_exercise(one).minutes for one in exercises)
+    return measure_page(chapter.page, root) + Minutes(doing=practice)
 
 
 def make_checks(root: Path) -> str:
@@ -178,9 +186,17 @@ to show, the solutions, the mistakes that the checks recognize, and the points.
 | Sum | {total.reading} | {total.doing} | {len(lab)} | {sum(one.points for one in lab)} \
 | {len(every) - len(lab)} |{"".join(f"{chr(10)}{row}" for row in extensions)}
 
-{QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are those of
-the pages' cards, a plan rather than a measurement; *doing* counts the exercises and challenges of
-the step too.
+{QUALITY_POINTS} points for code quality come on top of the lab's points. The minutes are counted
+from the pages, a plan rather than a measurement: nobody has timed learners of this book yet.
+*Doing* counts the exercises and challenges of the step too.
+
+| What | Time |
+|---|---|
+{make_formula()}
+
+The size of an exercise is the number of statements of its solution, checks of arguments left out,
+plus the number of objectives that it practices. If your class is slower or faster, change the
+constants in `content/page_minutes.py` and `content/difficulty.py`, and run `make exercises`.
 
 ## How were the checks tested?
 

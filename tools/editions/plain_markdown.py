@@ -12,7 +12,10 @@ from collections.abc import Callable
 from pathlib import Path, PurePosixPath
 from urllib.parse import quote
 
+from content.path import read_path
 from content.quiz_items import load_page
+from labutils.checks.table import read_words
+from tools.derive.path_tables import make_steps
 
 #: Where a page has gone: given a path relative to the page, return what to link instead.
 Resolve = Callable[[str], str]
@@ -89,6 +92,7 @@ class Flattener:
             "figure": lambda: _make_picture(title, options.get("alt", ""), body),
             "image": lambda: _make_picture(title, options.get("alt", ""), body),
             "quiz": lambda: self._make_questions(title),
+            "path": lambda: make_steps(read_path(read_words())),
             "table": lambda: f"**{title}**\n\n{body}\n",
             "list-table": lambda: _make_table(body),
             "glossary": lambda: TERM.sub(r"**\1**: ", body) + "\n",

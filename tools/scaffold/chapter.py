@@ -71,7 +71,7 @@ def _add_files(plan: Plan, chapter: Chapter) -> None:
         "id": chapter.id,
         "stem": chapter.stem,
         "name": chapter.name,
-        "lower": chapter.name[0].lower() + chapter.name[1:],
+        "lower": chapter.lower,
         "heading": chapter.heading,
         "noun": chapter.noun,
         "objectives": "\n".join(
@@ -123,13 +123,16 @@ def _add_row(plan: Plan, chapter: Chapter, chapters: tuple[Chapter, ...]) -> Non
 
 
 def _add_to_contents(plan: Plan, chapter: Chapter, root: Path) -> None:
-    """Plan the lines of the contents: Next leads from a chapter to its exercises, and on."""
+    """Plan the lines of the contents: the exercises stand below their chapter."""
     taught = list_taught(root)
     before = [one for one in taught if one.kind == REQUIRED or chapter.kind == EXTENSION][-1]
     entries = list_entries(read_toc(root))
-    lines = f"  - file: {chapter.page}\n  - file: {chapter.exercises}\n"
-    if before.kind == chapter.kind:  # the exercises of a chapter follow it
-        plan.insert(TOC, lines, after=f"  - file: {before.exercises}")
+    lines = (
+        f"  - file: {chapter.page}\n    sections:\n    - file: {chapter.exercises}\n"
+        f"      title: Exercises of {chapter.lower}\n"
+    )
+    if before.kind == chapter.kind:
+        plan.insert(TOC, lines, after=f"      title: Exercises of {before.lower}")
     else:  # the first extension opens a part of its own, after the whole part of the lab
         caption = next(entry.caption for entry in entries if entry.page == before.page)
         last = [entry.page for entry in entries if entry.caption == caption][-1]

@@ -22,7 +22,7 @@ from content.chapters import READING, Chapter, ChapterError, get_chapter
 from content.objectives import read_book
 from solutions import load_exercises
 from tools import ROOT
-from tools.derive.exercise_pages import get_label
+from tools.derive.exercise_cards import get_label
 from tools.scaffold.plan import Plan, ScaffoldError, fill_template
 
 if TYPE_CHECKING:
