@@ -42,7 +42,7 @@ def _name_explorer(bundle: nodes.Element) -> list[str]:
     while cell is not None and "cell" not in cell.get("classes", ()):
         cell = cell.parent
     called = CALL.findall(cell.astext()) if cell is not None else []
-    return [f"{POSTER_CLASS}-{called[-1]}"] if called else []
+    return [f"{POSTER_CLASS}-{called[-1].replace('_', '-')}"] if called else []
 
 
 def _is_output(node: nodes.Node) -> bool:

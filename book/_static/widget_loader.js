@@ -53,20 +53,22 @@
     return loading;
   }
 
-  function findPlaces() {
-    const views = [...document.querySelectorAll(VIEW)];
-    return views.map((view) => /** @type {HTMLElement} */ (view.parentElement));
+  function findPosters() {
+    return [...document.querySelectorAll("img.explorer-poster")];
   }
 
-  /** Give every explorer that is not drawn yet a button: what moves on its own nobody can reach. */
-  function addButtons() {
-    for (const place of findPlaces()) {
+  /** Give every explorer its place around its poster, with a button: not everybody makes gestures. */
+  function makePlaces() {
+    for (const poster of findPosters()) {
       const button = document.createElement("button");
       button.type = "button";
       button.className = "explorer-start";
       button.textContent = "Start the explorer";
       button.addEventListener("click", start);
-      place.querySelector(".explorer-poster")?.before(button);
+      const place = document.createElement("div");
+      place.className = "explorer-place"; // explorer_places.css says how high
+      poster.replaceWith(place);
+      place.append(button, poster);
     }
   }
 
@@ -101,7 +103,7 @@
     for (const gesture of GESTURES) {
       const hear = (/** @type {Event} */ event) => {
         if (event instanceof KeyboardEvent && event.key === "Tab") begin();
-        else if (!isThere) for (const place of findPlaces()) near.observe(place);
+        else if (!isThere) for (const one of findPosters()) near.observe(one);
         isThere = true;
       };
       document.addEventListener(gesture, hear, {
@@ -115,7 +117,7 @@
   window.cameraLab = { ...window.cameraLab, loadWidgets };
   document.addEventListener("DOMContentLoaded", () => {
     if (!document.querySelector(VIEW)) return;
-    addButtons();
+    makePlaces();
     waitForReader();
   });
 })();
