@@ -11,6 +11,8 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 BUNDLE = Path("_build", "hero")  # below the source folder
+SHEET, SCRIPT = "hero.css", "hero.js"
+DATA = "hero_data.js"  # which the script loads
 #: What a button does (`HeroActions` in book/_hero/_types.d.ts), and what it says.
 BUTTONS = {
     "lift": "Lift it into 3-D",
@@ -50,8 +52,8 @@ def add_files(
 ) -> None:
     """Load script and style on the page that has the photo, and on no other."""
     if tree is not None and find_heroes(tree):
-        app.add_css_file("hero.css")
-        app.add_js_file("hero.js", defer="defer")
+        app.add_css_file(SHEET)
+        app.add_js_file(SCRIPT, defer="defer")
 
 
 def serve_bundle(app: Sphinx) -> None:
