@@ -40,7 +40,6 @@ class SectionReader(HTMLParser):
         super().__init__()
         self.sections: list[dict[str, Any]] = []
         self._open: list[dict[str, Any]] = []
-        self._is_formula = False
         # of every element that is open: its tag, and where its text goes
         self._elements: list[tuple[str, tuple[str, ...]]] = []
 
@@ -55,13 +54,14 @@ class SectionReader(HTMLParser):
             self._write(" ")
         if tag in VOID:
             return
-        self._is_formula = tag == "span" and "math" in given.get("class", "").split()
         name = given.get("id", "")
         is_term = tag == "dt" and name.startswith(TERM)
         if (tag == "section" and name) or is_term:
             self._begin(name)
         elif tag == "span" and name and self._open:
             self._open[-1]["terms"].append(f" {name} ")  # a label, like exercise-depth-to-meters
+        if tag == "span" and "data-tex" in given:
+            self._write(_drop_tex(given["data-tex"]))
         goes = self._elements[-1][1]
         if tag != "article":
             goes = _choose_fields(tag, set(given.get("class", "").split()), goes, is_term=is_term)
@@ -71,7 +71,6 @@ class SectionReader(HTMLParser):
 
     def handle_endtag(self, tag: str) -> None:
         """Close what the tag closes, and the section with it."""
-        self._is_formula = False
         if not self._elements or tag in VOID:
             return
         while self._elements:
@@ -89,7 +88,7 @@ class SectionReader(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         """Keep a piece of text."""
-        self._write(_drop_tex(data) if self._is_formula else data)
+        self._write(data)
 
     def close(self) -> None:
         """Join the pieces."""
@@ -121,7 +120,7 @@ def _choose_fields(
     """Say which fields the text of an element belongs to; `goes` is where it went so far."""
     if tag == "figcaption":
         return ("text",)  # also below an output
-    is_formula = tag == "div" and "math" in classes  # one in a line of text is read
+    is_formula = "math" in classes  # a drawing; of one in a line of text the TeX is read
     if not goes or is_formula or tag in SKIPPED_TAGS or classes & SKIPPED_CLASSES:
         return ()
     if tag in HEADINGS or is_term:

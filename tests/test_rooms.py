@@ -26,7 +26,7 @@ ARROWS = {
 #: What the code cells of the pages may import.
 PAGES = {"labutils"}
 #: The same for scripts, which stand in one folder more.
-SCRIPT_ARROWS = {**ARROWS, "book/_static": set()}
+SCRIPT_ARROWS = {**ARROWS, "book/_static": set(), "book/_hero": {"labutils"}}
 ROOMS = {folder for folder in ARROWS if "/" not in folder}
 SKIPPED = re.compile(r"[._].*|outputs|node_modules|.*\.egg-info")
 #: Files that a script imports by their place; packages of npm have another form.

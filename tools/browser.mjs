@@ -74,13 +74,26 @@ export async function uncover(page) {
   });
 }
 
-/** Waits for formulas, widgets and the network. */
+/** Makes the gesture on which explorers start: before it a page loads nothing for them. */
+export function wake(page) {
+  return page.evaluate(() => {
+    // heard like a real key, but the focus stays where it is
+    document.dispatchEvent(new KeyboardEvent("keydown", { key: "Tab" }));
+  });
+}
+
+/** Starts the explorers; waits for them and the network. */
 export async function settle(page) {
-  await page.evaluate(() => window.MathJax?.startup?.promise.then(() => {}));
+  await wake(page);
   const drawn = ({ views, count }) =>
     document.querySelectorAll(count).length >= document.querySelectorAll(views).length;
   await page.waitForFunction(drawn, WIDGETS, { timeout: SETTLE_MS }).catch(() => {});
-  await page.waitForLoadState("networkidle", { timeout: QUIET_MS }).catch(() => {});
+  await rest(page);
+}
+
+/** Waits for the network, and touches nothing. */
+export function rest(page) {
+  return page.waitForLoadState("networkidle", { timeout: QUIET_MS }).catch(() => {});
 }
 
 /** Loads the pictures that wait until the reader comes near. */

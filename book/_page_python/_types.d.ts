@@ -426,11 +426,6 @@ interface Window {
       folds?: boolean;
     }): CodeEditor;
   };
-  MathJax?: {
-    Hub?: object;
-    startup?: { promise: Promise<void> }; // only once it has been loaded
-    typesetPromise(elements: Element[]): Promise<void>;
-  };
   requirejs: { config(options: object): void };
   __jupyter_widgets_assets_path__: string;
 }

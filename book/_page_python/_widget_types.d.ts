@@ -4,6 +4,8 @@ interface CameraLab {
   makeOutbox(post: (message: CommMessage) => void): CommOutbox;
   makeWidgetManager(push: (message: CommMessage) => void): Promise<LiveManager>;
   carryValues(from: Element, to: Element): Promise<void>;
+  /** book/_static/widget_loader.js */
+  loadWidgets?(): Promise<void>;
   /** Only where code has made widgets. */
   widgets?: {
     show(bundle: Bundle, element: HTMLElement): Promise<void>;

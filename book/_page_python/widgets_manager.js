@@ -3,18 +3,19 @@
 (() => {
   const script = /** @type {HTMLScriptElement} */ (document.currentScript);
   const STATIC = new URL("..", script.src).href;
-  const FILES = ["widgets/require.js", "widget_loader.js", "widgets/embed-amd.js"];
+  const LOADER = "widget_loader.js"; // which names the files of the manager
   const TARGET = "jupyter.widget";
 
   /** @type {Promise<HtmlManagerModule> | null} */
   let loading = null;
 
-  function loadScript(/** @type {string} */ file) {
+  function loadLoader() {
     const element = document.createElement("script");
-    element.src = STATIC + file;
+    element.src = STATIC + LOADER;
     return new Promise((resolve, reject) => {
       element.onload = resolve;
-      element.onerror = () => reject(new Error(`a file of this page could not be loaded: ${file}`));
+      element.onerror = () =>
+        reject(new Error(`a file of this page could not be loaded: ${LOADER}`));
       document.head.append(element);
     });
   }
@@ -29,7 +30,8 @@
   }
 
   async function loadModule() {
-    if (!window.requirejs) for (const file of FILES) await loadScript(file);
+    if (!window.cameraLab.loadWidgets) await loadLoader();
+    await window.cameraLab.loadWidgets?.();
     return requireModule("@jupyter-widgets/html-manager");
   }
 

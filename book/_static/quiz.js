@@ -185,9 +185,5 @@
     for (const quiz of document.querySelectorAll(".quiz")) start(quiz);
   }
 
-  // Formulas are copied from the answers to the feedback, so they have to be typeset first.
-  document.addEventListener("DOMContentLoaded", () => {
-    const typeset = window.MathJax?.startup?.promise ?? Promise.resolve();
-    typeset.then(startAll, startAll);
-  });
+  document.addEventListener("DOMContentLoaded", startAll);
 })();

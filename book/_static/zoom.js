@@ -3,7 +3,7 @@
 // which screens; without this script a reader can still spread two fingers.
 (() => {
   const PICTURES =
-    ".bd-article :is(figure, .cell_output, .cell-yours, .exercise-verdict) img:not(.explorer-poster)";
+    ".bd-article :is(figure:not(.hero), .cell_output, .cell-yours, .exercise-verdict) img:not(.explorer-poster)";
   const LARGE = 480; // px of its own width: a smaller one is whole on any screen
   const READABLE = 960; // px: letters are as large as on a desktop
 

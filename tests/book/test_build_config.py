@@ -122,9 +122,12 @@ def test_every_hook_is_switched_on(config: dict[str, Any]) -> None:
     assert hooks == set(config["sphinx"]["local_extensions"])
 
 
-def test_every_style_sheet_is_loaded(config: dict[str, Any]) -> None:
+def test_every_style_sheet_is_loaded(
+    config: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     sheets = {path.name for path in (ROOT / "book" / "_static").glob("*.css")}
-    assert sheets == set(config["sphinx"]["config"]["html_css_files"])
+    first_screen = load("book/_ext/hero.py", monkeypatch)
+    assert sheets == {*config["sphinx"]["config"]["html_css_files"], first_screen.SHEET}
 
 
 def test_every_script_is_loaded(config: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
@@ -133,6 +136,7 @@ def test_every_script_is_loaded(config: dict[str, Any], monkeypatch: pytest.Monk
     options = config["sphinx"]["config"]
     named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
     named |= set(load("book/_ext/predictions.py", monkeypatch).SCRIPTS)  # where there are some
+    named.add(load("book/_ext/hero.py", monkeypatch).DATA)
     assert scripts <= named | {*search.SCRIPTS, search.MARKS}
 
 

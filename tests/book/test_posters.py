@@ -36,3 +36,16 @@ def test_the_picture_of_a_widget_follows_it() -> None:
 def test_other_outputs_stay_as_they_are() -> None:
     assert keep_posters(HOOK.PICTURE) == []
     assert keep_posters(HOOK.WIDGET) == []
+
+
+def test_a_poster_says_which_explorer_it_stands_for() -> None:
+    document = new_document("page")
+    bundle = nodes.container(nb_element="mime_bundle")
+    bundle += nodes.container("", nodes.raw("", "<script>"), mime_type=HOOK.WIDGET)
+    bundle += nodes.container("", nodes.image(uri="poster.png"), mime_type=HOOK.PICTURE)
+    code = nodes.literal_block("", "explorer = explore_depth_range(depth)")
+    document += nodes.container("", code, nodes.container("", bundle), classes=["cell"])
+    document.settings.env = SimpleNamespace()
+    HOOK.KeepPosters(document).run()
+    (poster,) = (one for one in document.findall(nodes.image) if one["classes"])
+    assert poster["classes"] == [HOOK.POSTER_CLASS, f"{HOOK.POSTER_CLASS}-depth-range"]

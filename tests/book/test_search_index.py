@@ -28,7 +28,8 @@ PAGE = """
 <section id="step-9"><span id="page-step9"></span>
 <h1>Step 9: What is <em>blur</em>?<a class="headerlink" href="#">#</a></h1>
 <table><tr><td>Reading</td><td>20 minutes</td></tr></table>
-<p>Blur spreads <span class="math">\\(\\frac{f_x}{2}\\)</span> pixels.</p><p>Next.</p>
+<p>Blur spreads <span class="math" data-tex="\\frac{f_x}{2}"><math><mi>f</mi></math></span>
+pixels.</p><p>Next.</p>
 <section id="new-words"><h2>New words</h2>
 <ul><li><a><span class="std std-term">sharpness</span></a></li>
 <li><span class="std-term">edge</span></li></ul></section>
@@ -38,7 +39,8 @@ PAGE = """
 <div class="cell_input"><pre>cv2.blur(a)<br>b</pre></div>
 <div class="cell_output"><pre>0.25</pre>
 <figure><img><figcaption>A soft edge.</figcaption></figure></div>
-<div class="math">\\[x\\]</div><div class="quiz-answers">B is right</div>
+<div class="math" data-tex="x"><math><mi>x</mi></math></div>
+<div class="quiz-answers">B is right</div>
 <section id="inner"><h3>Inside</h3><p>Deeper.</p></section></section>
 <script>var hidden = 1;</script></section></article><footer>Foot</footer>
 """

@@ -2,7 +2,6 @@
 
 interface Window {
   /** Put there by the book and its libraries. */
-  MathJax: any;
   cameraLab: any;
   axe: any;
   /** Put there by the tests. */

@@ -36,9 +36,7 @@ async function visit(name) {
   page.on("requestfailed", (r) => complaints.add(`failed: ${r.url()}`));
   await page.setViewport(NARROW);
   await page.goto(new URL(`${name}.html`, site).href, { waitUntil: "load", timeout: WAIT_MS });
-  await page.evaluate(async () => {
-    await window.MathJax?.startup?.promise;
-  });
+  await page.keyboard.press("Tab"); // explorers start with the first gesture
   const drawn = ({ views, count }) =>
     document.querySelectorAll(count).length >= document.querySelectorAll(views).length;
   await page.waitForFunction(drawn, { timeout: WIDGETS_MS }, WIDGETS).catch(() => {});

@@ -12,6 +12,7 @@ import {
   main,
   NARROW,
   newPage,
+  rest,
   settle,
   WIDGETS,
 } from "../../tools/browser.mjs";
@@ -30,8 +31,9 @@ async function visit(browser, site, name) {
   const responses = [];
   page.on("response", (response) => responses.push(response));
   await page.goto(new URL(`${name}.html`, site).href, { waitUntil: "load" });
-  await settle(page);
+  await rest(page);
   const weights = site.startsWith("http") ? await weigh(responses, site) : {};
+  await settle(page);
   await loadPictures(page);
   const found = await page.evaluate(inspect, WIDGETS);
   await page.setViewportSize(DESKTOP);
@@ -41,7 +43,7 @@ async function visit(browser, site, name) {
   return result;
 }
 
-/** Bytes of every response, gzipped, by its address. */
+/** Bytes of every response so far, gzipped, by its address: what a page costs before a gesture. */
 async function weigh(responses, site) {
   const weights = {};
   for (const response of responses) {

@@ -16,9 +16,11 @@ from fontTools.ttLib import TTFont
 from live_cells import LAST_SCRIPTS, SCRIPTS
 from tests.helpers import browser
 
-PLAIN_BUDGET = 0.9e6  # bytes; a few seconds on a slow phone line
+#: Bytes before the reader makes a gesture; a few seconds on a slow phone line.
+BUDGET = 0.9e6
+FIRST_BUDGET = 0.4e6  # of the welcome page
+FIRST = "book/index"
 CELLS_BUDGET = 15e3  # Python itself comes with the first click
-WIDGET_BUDGET = 2.3e6  # of which the widget manager alone is 0.9e6
 FONT = re.compile(r'font-family:"([^"]+)".*?base64,([^)]+)\)')
 
 
@@ -34,8 +36,22 @@ def visits(
 def test_a_first_visit_keeps_to_its_budget(visits: dict[str, Any], page: str) -> None:
     visit = visits[page]
     heaviest = sorted(visit["weights"].items(), key=lambda item: -item[1])[:6]
-    budget = WIDGET_BUDGET if visit["views"] else PLAIN_BUDGET
+    budget = FIRST_BUDGET if page == FIRST else BUDGET
     assert 0 < sum(visit["weights"].values()) <= budget, heaviest
+
+
+def test_nothing_is_loaded_for_an_explorer_before_a_gesture(visits: dict[str, Any]) -> None:
+    pages = [name for name, visit in visits.items() if visit["views"]]
+    assert len(pages) > 5  # or the page no longer says that it shows explorers
+    for name in pages:
+        loaded = [file for file in visits[name]["weights"] if "/widgets/" in file]
+        assert loaded == [], name
+        assert visits[name]["drawn"] == visits[name]["views"]  # and after one they are drawn
+
+
+def test_no_page_loads_mathjax(visits: dict[str, Any]) -> None:
+    for name, visit in visits.items():
+        assert not [file for file in visit["weights"] if "mathjax" in file.lower()], name
 
 
 def test_cells_that_nobody_runs_cost_a_page_little(student_pages: Path) -> None:

@@ -40,7 +40,6 @@ MIN_SENTENCE = 50
 TEXT = {".html", ".js", ".json", ".md", ".txt", ".py", ".yml", ".toml", ".xml", ".css", ".svg"}
 #: What the build takes from others: no text of ours.
 FOREIGN = (
-    "_static/mathjax",
     "_static/minisearch",
     "_static/widgets",
     "_static/vendor",

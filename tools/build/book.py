@@ -87,9 +87,9 @@ def main() -> int:
 def gather(edition: Edition) -> int:
     """Bring together what Jupyter Book does not make; return the exit code."""
     # only here: a build without changes shall not wait for these imports
-    from tools.vendor import frontend, pack_python  # noqa: PLC0415
+    from tools.vendor import frontend, pack_python, page_hero  # noqa: PLC0415
 
-    if code := frontend.main() or pack_python.main():
+    if code := frontend.main() or page_hero.main() or pack_python.main():
         return code
     if edition.name == "instructor":
         # measures every mistake, which only this edition needs

@@ -32,6 +32,7 @@ CELL_MEMORY = (".jupyter_cache", ".doctrees", "jupyter_execute")
 # a changed style sheet while no page has changed, and pages name it by its checksum.
 PAGE_SOURCES = (
     "book/_ext",
+    "book/_hero",
     "book/_static",
     "_build/page_python.json",  # names every asset of Python in the page
     "book/_templates",

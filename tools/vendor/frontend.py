@@ -1,7 +1,7 @@
 """Gather the front-end files that the book carries inside itself.
 
-MathJax, require.js, MiniSearch and the widget manager come from npm (see ``npm.py``); the anywidget
-loader comes from the Python package of the same name, so that both sides always agree. Everything
+require.js, MiniSearch and the widget manager come from npm (see ``npm.py``); the anywidget loader
+comes from the Python package of the same name, so that both sides always agree. Everything
 goes to ``_build/vendor``, from where ``book/_ext/offline.py`` serves it.
 
 Only these packages are needed, not their dependencies: the browser bundles already contain them.
@@ -34,20 +34,6 @@ VENDOR = ROOT / "_build" / "vendor"
 FILES = (
     ("requirejs", "", ("require.js",), "widgets"),
     ("@jupyter-widgets/html-manager", "dist", ("embed-amd.js", "*.woff2"), "widgets"),
-    (
-        "mathjax",
-        "es5",
-        (
-            "tex-mml-chtml.js",
-            "output/chtml/fonts/*",
-            "input/tex/extensions/*",  # loaded when a page uses one of their macros
-            "a11y/*",  # loaded from the accessibility menu of a formula
-            "sre/mathmaps/base.json",
-            "sre/mathmaps/en.json",
-        ),
-        "mathjax",
-    ),
-    ("mathjax", "", ("LICENSE",), "mathjax"),
     ("minisearch", "dist/umd", ("index.js",), "minisearch"),
     ("minisearch", "", ("LICENSE.txt",), "minisearch"),
 )
