@@ -63,7 +63,8 @@ async function use(page, box) {
     for (const [step, move] of Object.entries(steps)) {
       await move();
       await note(label, step);
-      moves.at(-1).shown = Number(await handle.getAttribute("aria-valuetext"));
+      const said = await handle.getAttribute("aria-valuetext");
+      Object.assign(moves.at(-1), { said, shown: Number.parseFloat(said) });
     }
     // out of the way: a range whose ends meet would shut its other handle in
     const isHigh = /, high$/.test(label);
@@ -125,8 +126,9 @@ async function read(page, root, before = {}) {
     .waitForFunction(hasMoved, [await root.elementHandle(), old], { timeout: CHANGE_MS })
     .catch(() => {});
   await waitForFrames(page);
-  return root.evaluate(({ dataset }) => ({
-    parameters: JSON.parse(dataset.parameters),
-    values: JSON.parse(dataset.values),
-  }));
+  return root.evaluate(({ dataset, explorerModel }) => {
+    const parameters = JSON.parse(dataset.parameters);
+    const near = explorerModel.get("nears")?.[parameters.near_place]; // chosen from a list
+    return { parameters, near, values: JSON.parse(dataset.values) };
+  });
 }

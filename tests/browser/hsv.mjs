@@ -89,6 +89,7 @@ async function turnRing(page) {
     await page.getByRole("slider", { name: "hue from, on the ring" }).press(key);
     await note(key);
   }
+  await page.locator(".explorer-dial").scrollIntoViewIfNeeded();
   const dial = await page.locator(".explorer-dial").boundingBox();
   const at = (hue, radius) => [
     dial.x + dial.width * (0.5 + (radius / 240) * Math.sin((hue / 90) * Math.PI)),

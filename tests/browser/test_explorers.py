@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from math import inf
 from pathlib import Path
@@ -83,6 +84,7 @@ def test_every_control_moves_its_value(used: dict[str, Any]) -> None:
             for move in moves:
                 if "shown" in move:
                     flat = [v for one in move["parameters"].values() for v in flatten(one)]
+                    flat += flatten(move.get("near", []))
                     # the handle rounds what it shows to the digits of its read-out
                     assert any(abs(v - move["shown"]) < 0.006 for v in flat), move
                 assert move.get("pressed", "true") == "true", move
@@ -110,6 +112,18 @@ def test_a_screen_reader_hears_the_result_and_every_name(used: dict[str, Any]) -
     for explorer in used["explorers"]:
         assert explorer["spoken"] == explorer["readout"] != ""
         assert explorer["unnamed"] == 0
+
+
+def test_a_screen_reader_hears_values_as_they_are_written_with_their_unit(
+    used: dict[str, Any],
+) -> None:
+    # a slider by itself says the place in its list, or 45.00000000000001
+    for explorer in used["explorers"]:
+        for move in explorer["moves"]:
+            if "said" in move:
+                unit = re.search(r" \(([^)]+)\)", move["control"])
+                end = re.escape(f" {unit[1]}") if unit else ""
+                assert re.fullmatch(rf"-?[\d,]+(\.\d{{1,5}})?{end}", move["said"]), move
 
 
 def test_on_paper_and_without_scripts_a_poster_stands_in(used: dict[str, Any]) -> None:
