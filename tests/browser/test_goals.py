@@ -40,6 +40,6 @@ def test_every_surface_alone_is_not_the_goal_of_the_range(reached: dict[str, Any
 
 def test_a_line_tells_the_number_that_is_asked_for(reached: dict[str, Any]) -> None:
     stereo, cloud = reached["stereo"]["seen"], reached["cloud"]["seen"]
-    assert stereo[-1]["told"].startswith("depth 1.7")
+    assert stereo[-1]["told"].startswith("seen by both at 1.7")
     assert f"off by {stereo[-1]['values']['error_mm']:.1f} mm" in stereo[-1]["told"]
     assert cloud[-2]["told"] == "angle 90.0° (89.5 to 90.5)"
