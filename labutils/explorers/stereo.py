@@ -243,8 +243,8 @@ def explore_stereo(
         },
     )
     explorer.goal = Goal(
-        f"Know a point {_FAR_AWAY:g} m away or farther to {_WELL_MM:g} mm.",
-        GoalPart("shared_depth", "both eyes see it at", low=_FAR_AWAY, unit=" m"),
+        f"Know a point beyond {_FAR_AWAY:g} m to {_WELL_MM:g} mm.",
+        GoalPart("shared_depth", "seen by both at", low=_FAR_AWAY, unit=" m"),
         GoalPart("error_mm", "off by", high=_WELL_MM, unit=" mm", digits=1),
     )
     return explorer

@@ -64,7 +64,7 @@ async function use(page, box) {
       await move();
       await note(label, step);
       const said = await handle.getAttribute("aria-valuetext");
-      Object.assign(moves.at(-1), { said, shown: Number.parseFloat(said) });
+      Object.assign(moves.at(-1), { said, shown: Number.parseFloat(said.replace("−", "-")) });
     }
     // out of the way: a range whose ends meet would shut its other handle in
     const isHigh = /, high$/.test(label);

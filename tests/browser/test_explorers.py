@@ -123,7 +123,7 @@ def test_a_screen_reader_hears_values_as_they_are_written_with_their_unit(
             if "said" in move:
                 unit = re.search(r" \(([^)]+)\)", move["control"])
                 end = re.escape(f" {unit[1]}") if unit else ""
-                assert re.fullmatch(rf"-?[\d,]+(\.\d{{1,5}})?{end}", move["said"]), move
+                assert re.fullmatch(rf"\u2212?[\d,]+(\.\d{{1,5}})?{end}", move["said"]), move
 
 
 def test_on_paper_and_without_scripts_a_poster_stands_in(used: dict[str, Any]) -> None:

@@ -131,6 +131,21 @@ def test_starts_where_it_is_told_and_says_it() -> None:
     assert "raw 0.25000 between planes at 0.005 and 12 m is 0.0067 m" in repr(explorer)
 
 
+def test_starts_in_the_middle_between_the_planes_unless_it_is_told() -> None:
+    explorer = explore_depth_convention(0.2, 10)
+    # to the step of its slider, which is coarse where depths are large
+    assert explorer.depth == pytest.approx(5.1, abs=0.1)
+
+
+def test_the_goal_needs_the_near_plane_away_from_the_camera() -> None:
+    reached = {}
+    for near in (0.02, 0.1):
+        explorer = explore_depth_convention(near, 12)
+        explorer.view.set_trait("raw", float(metric_to_raw(np.float64(2.0), near, 12)))
+        reached[near] = explorer.goal_is_reached
+    assert reached == {0.02: False, 0.1: True}
+
+
 def test_starts_on_a_step_of_its_sliders() -> None:
     explorer = explore_depth_convention(0.02, 12.034, 0.123456)
     assert (explorer.far, explorer.raw) == (12.0, 0.1235)

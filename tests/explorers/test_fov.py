@@ -13,6 +13,7 @@ from labutils import (
     make_scene,
     points_to_pixels,
     render_camera,
+    render_segmentation,
     world_to_camera,
 )
 from labutils.explorers import explore_fov
@@ -96,6 +97,41 @@ def test_objects_inside_are_those_whose_center_falls_on_a_column(
         assert (name.replace("_", " ") in explorer.values["seen"]) == inside, name
     explorer.move(**explorer.view.start)
     assert explorer.values["seen"] == ["red ball", "red box", "blue bottle", "cyan mug"]
+
+
+def test_all_objects_are_whole_down_to_the_angle_that_leaves_nothing_to_spare(
+    explorer: FovExplorer, scene: tuple[mujoco.MjModel, mujoco.MjData]
+) -> None:
+    # rendered at that angle, some object reaches into the last pixels of the rim, and none beyond
+    model, data = scene
+    smallest = explorer.view.fov_y_deg - explorer.values["spare_deg"]
+    ids = [model.body(name).id for name in OBJECTS]
+    model.cam("head_camera").fovy[:] = smallest
+    renderer = make_renderer(model, 480, 640)
+    bodies = render_segmentation(model, data, renderer, "head_camera")
+    renderer.close()
+    seen = np.isin(bodies, ids)
+    rim = np.ones_like(seen)
+    rim[3:-3, 3:-3] = False
+    assert (seen & rim).any()
+    rim[1:-1, 1:-1] = False
+    assert (seen & rim).sum() < 40  # the wide picture is coarser by half a pixel
+
+
+def test_the_goal_is_the_smallest_angle_with_all_objects(explorer: FovExplorer) -> None:
+    smallest = explorer.view.fov_y_deg - explorer.values["spare_deg"]
+    reached = {}
+    for spare in (-0.5, 0.5, 1.5):
+        explorer.move(fov_y_deg=smallest + spare)
+        reached[spare] = explorer.goal_is_reached
+    explorer.move(**explorer.view.start)
+    assert reached == {-0.5: False, 0.5: True, 1.5: False}
+
+
+def test_without_objects_there_is_no_goal() -> None:
+    explorer = explore_fov(*make_scene())
+    assert explorer.values["spare_deg"] is None
+    assert explorer.goal is None
 
 
 def test_the_scene_keeps_its_own_angle(scene: tuple[mujoco.MjModel, mujoco.MjData]) -> None:

@@ -80,6 +80,27 @@ def test_a_picked_pixel_tells_its_color_and_what_keeps_it_out() -> None:
     assert explorer.values["pixel_inside"] is explorer.values["pixel_selected"] is False
 
 
+def test_with_the_truth_the_goal_is_to_come_close_to_it(rgb: np.ndarray) -> None:
+    truth = segment_by_color(rgb, HSV_RANGES["red"]) > 0
+    explorer = explore_hsv(rgb, HSV_RANGES["green"], truth=truth, aim="Select what is red.")
+    assert explorer.values["iou"] == 0
+    assert explorer.goal is not None
+    assert explorer.goal.text == "Select what is red."
+    assert not explorer.goal_is_reached
+    explorer.move(hue_from=170, hue_to=6, saturation_limits=[120, 255], value_limits=[190, 255])
+    selected = explorer.mask > 0
+    assert explorer.values["iou"] == (truth & selected).sum() / (truth | selected).sum() < 1
+    explorer.move(value_limits=[50, 255])
+    reached = explorer.goal_is_reached
+    assert (explorer.values["iou"], reached) == (1, True)
+
+
+def test_without_the_truth_there_is_no_goal(rgb: np.ndarray) -> None:
+    explorer = explore_hsv(rgb)
+    assert explorer.values["iou"] is None
+    assert explorer.goal is None
+
+
 @pytest.mark.parametrize("pixel", [[2, 0], [0, 1], [-1, 0], [0]])
 def test_a_pixel_outside_the_picture_is_refused(pixel: list[int]) -> None:
     explorer = explore_hsv(np.zeros((1, 2, 3), np.uint8))
@@ -126,6 +147,9 @@ def test_the_sentence_and_the_poster_show_the_selection(rgb: np.ndarray) -> None
         ({"open_radius": 7}, ValueError, "open_radius: expected 0 to 6 pixels, got 7"),
         ({"close_radius": -1}, ValueError, "close_radius: expected 0 to 6 pixels, got -1"),
         ({"open_radius": 1.5}, TypeError, "open_radius: expected a whole number"),
+        ({"truth": np.ones((4, 4), np.uint8)}, ValueError, "truth: expected bool .*, got uint8"),
+        ({"truth": np.ones((4, 5), bool)}, ValueError, r"shape \(4, 4\), got bool of \(4, 5\)"),
+        ({"truth": np.zeros((4, 4), bool)}, ValueError, "truth: expected at least one pixel"),
         ({"close_radius": True}, TypeError, "close_radius: expected a whole number"),
     ],
 )

@@ -13,6 +13,7 @@ import numpy as np
 from labutils import (
     HSV_RANGES,
     find_object_centroid,
+    segment_by_color,
 )
 from labutils.explorers import explore_hsv
 from labutils.explorers.hsv import FULL_RANGE, MAX_RADIUS
@@ -33,12 +34,14 @@ const pictures = readFileSync(picturesFile);
 const masks = [];
 const told = [];
 let at = 0;
-for (const { width, height, limits, open, close, pixel } of JSON.parse(readFileSync(casesFile))) {
+for (const one of JSON.parse(readFileSync(casesFile))) {
+  const { width, height, limits, open, close, pixel, truth } = one;
   const data = pictures.subarray(at, (at += width * height * 3));
   const segmenter = makeSegmenter({ width, height, channels: 3, data });
   segmenter.segment([[3, 3, 3], [90, 90, 90]], 1, 1); // what a frame before leaves must not show
   const values = segmenter.segment(limits, open, close);
-  told.push({ ...values, ...segmenter.describePixel(pixel, limits) });
+  const iou = truth && segmenter.findIou(Uint32Array.from(truth), values.count);
+  told.push({ ...values, iou, ...segmenter.describePixel(pixel, limits) });
   const mask = segmenter.mask.map((cell) => (cell ? 255 : 0));
   for (let y = 1; y <= height; y++) {
     const row = y * (width + 2) + 1; // the mask has a rim
@@ -54,7 +57,7 @@ def segment_in_node(
     folder: Path, cases: list[tuple[np.ndarray, dict[str, Any]]]
 ) -> list[tuple[np.ndarray, dict[str, Any]]]:
     """Give pictures and settings to the JavaScript; return masks and values."""
-    plain = {"limits": NOTHING_OUT, "open": 0, "close": 0, "pixel": []}
+    plain = {"limits": NOTHING_OUT, "open": 0, "close": 0, "pixel": [], "truth": None}
     settings = [
         {**plain, **more, "height": rgb.shape[0], "width": rgb.shape[1]} for rgb, more in cases
     ]
@@ -162,14 +165,17 @@ def test_javascript_opens_and_closes_as_opencv_does(tmp_path: Path) -> None:
 
 
 def test_javascript_tells_the_values_that_python_computes(rgb: np.ndarray, tmp_path: Path) -> None:
+    truth = segment_by_color(rgb, HSV_RANGES["red"]) > 0
+    places = np.flatnonzero(truth).tolist()
     settings: list[dict[str, Any]] = []
     for place, hsv_range in enumerate(HSV_RANGES.values()):
         for radius in (0, 2, 6):
             pixel = [(97 * (place + 1) + 31 * radius) % 640, (151 * place + 300) % 480]
             limits = [list(limit) for limit in hsv_range]
-            settings.append({"limits": limits, "open": radius, "close": 6 - radius, "pixel": pixel})
-    settings.append({"limits": NOTHING_OUT, "open": 6, "close": 6, "pixel": []})
-    explorer = explore_hsv(rgb)
+            radii = {"open": radius, "close": 6 - radius}
+            settings.append({"limits": limits, **radii, "pixel": pixel, "truth": places})
+    settings.append({"limits": NOTHING_OUT, "open": 6, "close": 6, "pixel": [], "truth": places})
+    explorer = explore_hsv(rgb, truth=truth)
     for (mask, told), one in zip(
         segment_in_node(tmp_path, [(rgb, one) for one in settings]), settings, strict=True
     ):

@@ -38,12 +38,11 @@ export function adoptControls(el) {
 }
 
 function nameAll(/** @type {Element} */ box) {
-  for (const control of box.querySelectorAll(".explorer-controls .jupyter-widgets")) {
+  for (const control of box.querySelectorAll(".explorer-controls > *")) {
     /** @type {HTMLElement | null} */
-    const label = control.querySelector(":scope > .widget-label");
-    if (!label) continue; // it holds other controls
-    if (label.title === "null") label.removeAttribute("title");
-    const text = label.textContent ?? "";
+    const label = control.querySelector(".widget-label");
+    if (label?.title === "null") label.removeAttribute("title");
+    const text = label?.textContent ?? "";
     nameHandles(control, text);
     const readout = control.querySelector(".widget-readout");
     if (readout) {

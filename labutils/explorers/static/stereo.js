@@ -19,8 +19,8 @@ import {
 } from "./_stereo.js";
 
 const LONGEST =
-  "Pixel (600, 400) at 1.715 m: disparity 21.62 px over 100 mm; for the right eye it is at column " +
-  "578.4, but something nearer hides it. A match 0.5 px off gives 1.676 to 1.756 m.";
+  "Pixel (600, 400), 1.715 m: disparity 21.62 px, in the right eye column 578.4, hidden there. " +
+  "A match 0.5 px off leaves 1.676 to 1.756 m.";
 
 export default defineView("stereo", start);
 
@@ -71,7 +71,7 @@ async function start(model, frame) {
     curve.show(seen, K[0][0], baseline, error);
     if (hovered) tag.show(inShort(seen), [(hovered[0] + 0.5) / width, (hovered[1] + 0.5) / height]);
     else tag.hide();
-    frame.tell(inWords(seen, looked, baseline, error), values);
+    frame.tell(inWords(seen, looked, error), values);
   });
   const look = (/** @type {Pixel | null} */ pixel) => {
     if (String(pixel) === String(hovered)) return;
@@ -135,23 +135,18 @@ function makeKey(parent) {
 /**
  * @param {StereoValues} values
  * @param {Pixel} pixel
- * @param {number} baseline
  * @param {number} error
  */
-function inWords(values, [u, v], baseline, error) {
+function inWords(values, [u, v], error) {
   if (u === undefined) return "Choose a point in the picture.";
   if (values.depth === null)
     return `Pixel (${u}, ${v}) sees no surface, so there is nothing to match.`;
-  const hidden = `${values.u_right.toFixed(1)}, but something nearer hides it`;
-  const column = [
-    "outside its picture",
-    `at column ${values.u_right.toFixed(1)}`,
-    `at column ${hidden}`,
-  ];
+  const column = `column ${values.u_right.toFixed(1)}`;
+  const seen = ["outside its picture", column, `${column}, hidden there`];
   return (
-    `Pixel (${u}, ${v}) at ${values.depth.toFixed(3)} m: disparity ${values.disparity.toFixed(2)} px ` +
-    `over ${(1000 * baseline).toFixed(0)} mm; for the right eye it is ${column[values.right]}. ` +
-    `A match ${error.toFixed(1)} px off gives ${formatInterval(values.z_near, values.z_far)}.`
+    `Pixel (${u}, ${v}), ${values.depth.toFixed(3)} m: disparity ${values.disparity.toFixed(2)} px, ` +
+    `in the right eye ${seen[values.right]}. ` +
+    `A match ${error.toFixed(1)} px off leaves ${formatInterval(values.z_near, values.z_far)}.`
   );
 }
 
