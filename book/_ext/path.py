@@ -127,7 +127,7 @@ def _describe(tasks: tuple[Task, ...], word: str) -> str:
     if not tasks:
         return ""
     plural = "s" if word == "challenge" and len(tasks) > 1 else ""
-    return f"{len(tasks)} {word}{plural} ({add_minutes(tasks)} min)"
+    return f"{len(tasks)} {word}{plural} ({add_minutes(tasks)}&nbsp;min)"
 
 
 def _list_questions(page: str) -> list[str]:
