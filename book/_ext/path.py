@@ -54,7 +54,8 @@ def fill_places(app: Sphinx, tree: nodes.document, page: str) -> None:
         if app.builder.format == "html":
             link_to = lambda other: app.builder.get_relative_uri(page, other)  # noqa: E731
             html = make_path(read_path(read_words()), link_to)
-        place.replace_self(nodes.raw("", html, format="html"))
+        # not replace_self, which hands its class on
+        place.parent.replace(place, nodes.raw("", html, format="html"))
         tree["has_path"] = True
 
 
@@ -126,7 +127,7 @@ def _describe(tasks: tuple[Task, ...], word: str) -> str:
     if not tasks:
         return ""
     plural = "s" if word == "challenge" and len(tasks) > 1 else ""
-    return f"{len(tasks)} {word}{plural} ({add_minutes(tasks)} min)"
+    return f"{len(tasks)} {word}{plural} ({add_minutes(tasks)}&nbsp;min)"
 
 
 def _list_questions(page: str) -> list[str]:

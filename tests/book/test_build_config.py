@@ -137,6 +137,7 @@ def test_every_script_is_loaded(config: dict[str, Any], monkeypatch: pytest.Monk
     named = {name for name, _ in options["html_js_files"]} | set(options["nb_ipywidgets_js"])
     named |= set(load("book/_ext/predictions.py", monkeypatch).SCRIPTS)  # where there are some
     named.add(load("book/_ext/hero.py", monkeypatch).DATA)
+    named.add(load("book/_ext/path.py", monkeypatch).SCRIPT)
     assert scripts <= named | {*search.SCRIPTS, search.MARKS}
 
 
