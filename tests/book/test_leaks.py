@@ -26,6 +26,7 @@ from tests.helpers.leaks import (
     read_document,
     read_documents,
 )
+from tools.derive.completions import make_starter
 from tools.editions.student import make_files, pack
 
 HTML = ROOT / "_build" / "html"
@@ -166,6 +167,18 @@ def test_planted_notes_and_hidden_cases_of_real_cards_are_found(
     found = find_leaks(secrets, read_documents(tmp_path))
     assert any(line.startswith(f"notes.html: {NOTES[0].name}") for line in found)
     assert any(line.startswith("card.md: process_depth: _hidden") for line in found)
+
+
+def test_a_planted_line_of_a_completion_is_found(tmp_path: Path, secrets: list[Secret]) -> None:
+    for exercise in load_exercises().values():
+        if exercise.completion is None:
+            continue
+        whole, starter = (tmp_path / f"{exercise.name}{one}.ipynb" for one in ("", ".starter"))
+        whole.write_bytes(make_notebook(exercise.completion.write_with()))
+        assert find_leaks(secrets, read_documents(tmp_path)) != []
+        whole.unlink()
+        starter.write_bytes(make_notebook(make_starter(exercise.completion)))
+        assert find_leaks(secrets, read_documents(tmp_path)) == []
 
 
 def test_a_common_line_alone_is_no_leak(challenge_secrets: list[Secret]) -> None:

@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from solutions import Exercise
+from solutions._completion import find_open_lines
 from tools.editions.card_code import find_called, is_answered_by_library
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -75,10 +76,30 @@ def read_library() -> str:
 
 def get_lines(function: Callable[..., Any]) -> tuple[str, ...]:
     """Return the distinctive lines of a function: its body, without docstring and comments."""
+    chosen = [
+        line
+        for line in read_lines(function)
+        if len(line) >= MIN_LINE and line not in read_library()
+    ]
+    return tuple(dict.fromkeys(chosen))
+
+
+def get_completed_lines(function: Callable[..., Any]) -> tuple[str, ...]:
+    """Return the open lines of a twin that assign, each with the line that follows.
+
+    Together they are nobody else's, although a line alone may stand in a chapter.
+    """
+    lines = read_lines(function)
+    starts = [squeeze(one.code) for one in find_open_lines(function) if one.target]
+    return tuple(lines[n] + lines[n + 1] for n in map(lines.index, starts))
+
+
+def read_lines(function: Callable[..., Any]) -> list[str]:
+    """Read the body of a function line by line, squeezed, without docstring and comments."""
     source = textwrap.dedent(inspect.getsource(function))
     tree = ast.parse(source).body[0]
     if not isinstance(tree, ast.FunctionDef):  # a lambda: what it calls has lines of its own
-        return ()
+        return []
     docstring = tree.body[0] if ast.get_docstring(tree) is not None else None
     first = (docstring.end_lineno if docstring else tree.body[0].lineno - 1) or 0
     lines, current = [], ""
@@ -90,8 +111,7 @@ def get_lines(function: Callable[..., Any]) -> tuple[str, ...]:
             current = ""
         elif token.type not in (tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER):
             current += token.string
-    chosen = [line for line in lines if len(line) >= MIN_LINE and line not in read_library()]
-    return tuple(dict.fromkeys(chosen))
+    return lines
 
 
 def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -> list[Secret]:
@@ -105,6 +125,10 @@ def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -
             origin = f"{exercise.name}: {function.__name__}"
             secrets.append(Secret(origin, lines=get_lines(function)))
             secrets.append(Secret(origin, names=get_names(exercise, function)))
+        if exercise.completion:
+            lines = get_completed_lines(exercise.completion.twin)
+            origin = f"{exercise.name}: completion"
+            secrets += [Secret(origin, lines=(one,)) for one in lines]
         said = (exercise.tolerance_reason, *(one.reason for one in exercise.absorbed))
         secrets.append(Secret(f"{exercise.name}: reasons", sentences=get_sentences(said)))
     for path in notes:
