@@ -14,7 +14,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
-from labutils.checks.table import COMPLETIONS, find_words, load_table, read_words
+from labutils.checks.table import find_words, load_table, read_completions, read_words
 from live_cells import make_json_element, read_manifest
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def get_name(check: nodes.Element, page: str) -> str:
         If what follows an exercise cell is not its check.
     """
     found = CHECK.search(check.astext())
-    known = {*read_words(), *read_words(file=COMPLETIONS)}
+    known = {*read_words(), *read_completions()}
     if not found or found[1] != found[2] or found[1] not in known:
         raise ExtensionError(
             f'{page}: expected check("name", name) after a cell tagged exercise, '
@@ -101,7 +101,7 @@ def make_data(tables: dict[str, Any], names: list[str]) -> dict[str, Any]:
             "hints": find_words(name)["hints"],
             "example": find_words(name)["example"],
             "parts": ["simulator"] if load_table(name).needs_mujoco else [],
-            "isCompletion": name in read_words(file=COMPLETIONS),
+            "isCompletion": name in read_completions(),
         }
         for name in names
     }

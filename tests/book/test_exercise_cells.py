@@ -13,14 +13,14 @@ from docutils.utils import new_document
 from sphinx.errors import ExtensionError
 
 from labutils.checks.progress_rules import MAX_HINTS
-from labutils.checks.table import COMPLETIONS, load_table, read_words
+from labutils.checks.table import load_table, read_completions, read_words
 from tests.book.test_build_config import load
 from tests.helpers.chapters import get_toc_pages
 
 ROOT = Path(__file__).resolve().parents[2]
 HTML = ROOT / "_build" / "html"
 EXERCISES = read_words()
-TWINS = read_words(file=COMPLETIONS)
+TWINS = read_completions()
 DATA = re.compile(r'<script type="application/json" id="exercise-data">(.*?)</script>', re.DOTALL)
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from labutils.checks import check, hint, judge, report
 from labutils.checks.progress_rules import FILE_NAME
-from labutils.checks.table import COMPLETIONS, CheckTable, load_table, read_words
+from labutils.checks.table import CheckTable, load_table, read_completions
 from labutils.checks.verdict import HIDDEN_CASES, MAX_LINES
 from solutions import load_exercises
 from solutions._completion import Completion, Slip, find_open_lines, get_target
@@ -53,10 +53,8 @@ def run(code: str, name: str) -> Callable[..., Any]:
 def test_exercises_with_points_have_a_completion_and_no_other_has() -> None:
     graded = [name for name, card in load_exercises().items() if card.points]
     assert [card.name for card in CARDS] == graded
-    assert list(read_words(file=COMPLETIONS)) == [
-        card.completion.name for card in CARDS if card.completion
-    ]
-    assert not set(read_words(file=COMPLETIONS)) & set(load_exercises())
+    assert list(read_completions()) == [card.completion.name for card in CARDS if card.completion]
+    assert not set(read_completions()) & set(load_exercises())
 
 
 def test_the_whole_twin_passes_and_leads_to_its_exercise(
@@ -119,12 +117,12 @@ def test_a_mistake_that_is_not_listed_gets_a_sentence_of_the_engine(
 
     def adds(*args: object) -> object:
         answer = completion.twin(*args)
-        return tuple(np.add(answer, 1)) if isinstance(answer, tuple) else np.add(answer, 1)
+        return tuple(np.add(answer, 9)) if isinstance(answer, tuple) else np.add(answer, 9)
 
     for function, gate in ((forgets, "runs"), (adds, "value")):
         verdict = judge(table, function)
         assert not verdict.passed
-        if completion.name != "find_either_color":  # 255 + 1 is no value of a mask
+        if completion.name != "find_either_color":  # 255 + 9 is no value of a mask
             assert verdict.failed_gate == gate, verdict.message
         assert verdict.paragraphs[0].endswith(".")
 
@@ -195,9 +193,8 @@ def test_a_line_without_a_slip_is_refused(completion: Completion) -> None:
 
 def test_a_slip_that_is_right_is_refused(card: Exercise, completion: Completion) -> None:
     (line, *_) = (one for one in find_open_lines(completion.twin) if one.target)
-    harmless = Slip(
-        "harmless", "this line is right, and nobody has to be told about it.", line.code
-    )
+    words = "this line is right, and nobody has to be told about it."
+    harmless = Slip("harmless", words, line=line.code)
     others = tuple(slip for slip in completion.slips if get_target(slip.line) != line.target)
     same = replace(completion, slips=(harmless, *others))
     with pytest.raises(ValueError, match="passes; add a case that shows it"):
@@ -217,7 +214,7 @@ def test_an_unknown_name_lists_exercises_only() -> None:
 
 
 def test_the_words_say_what_no_exercise_says() -> None:
-    words = read_words(file=COMPLETIONS)
+    words = read_completions()
     assert {one["points"] for one in words.values()} == {0}
     assert [one["leads_to"] for one in words.values()] == [card.name for card in CARDS]
     assert "twin" not in json.dumps(list(words["world_to_body"]))

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from labutils.checks.table import COMPLETIONS, TABLES, read_words
+from labutils.checks.table import TABLES, read_completions, read_words
 from tools import ROOT
 from tools.derive import page_mujoco
 from tools.stable_zip import make_zip
@@ -115,7 +115,7 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
         parts[part] = [write_asset(folder, *one) for one in sorted(contents.items())]
     tables = {
         name: write_asset(folder, f"tables/{name}.npz", (TABLES / f"{name}.npz").read_bytes())
-        for name in (*read_words(), *read_words(file=COMPLETIONS))
+        for name in (*read_words(), *read_completions())
     }
     scripts = (path for path in sorted(SCRIPTS.glob("*.js")) if path.name != WORKER)
     page_python.minify_scripts(scripts, folder)
