@@ -85,13 +85,15 @@ def get_lines(function: Callable[..., Any]) -> tuple[str, ...]:
 
 
 def get_completed_lines(function: Callable[..., Any]) -> tuple[str, ...]:
-    """Return the open lines of a twin that assign, each with the line that follows.
+    """Return the open lines of a twin that assign, each with the line that follows, and as marked.
 
     Together they are nobody else's, although a line alone may stand in a chapter.
     """
     lines = read_lines(function)
-    starts = [squeeze(one.code) for one in find_open_lines(function) if one.target]
-    return tuple(lines[n] + lines[n + 1] for n in map(lines.index, starts))
+    found = [one for one in find_open_lines(function) if one.target]
+    places = [lines.index(squeeze(one.code)) for one in found]
+    marked = [squeeze(f"{one.code}  # open: {one.asks}") for one in found]
+    return (*(lines[place] + lines[place + 1] for place in places), *marked)
 
 
 def read_lines(function: Callable[..., Any]) -> list[str]:
