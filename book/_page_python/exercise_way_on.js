@@ -9,7 +9,9 @@
     const records = progress.load().exercises;
     const names = Object.keys(data.exercises);
     const later = names.slice(names.indexOf(name) + 1);
-    const next = [...later, ...names].find((one) => !records.get(one)?.passed);
+    const isLeft = (/** @type {string} */ one) =>
+      !data.exercises[one].isCompletion && !records.get(one)?.passed;
+    const next = [...later, ...names].find(isLeft);
     const section = document.querySelector(`[data-exercise="${next}"]`)?.closest("section");
     const page = /** @type {HTMLAnchorElement | null} */ (document.querySelector("a.right-next"));
     const line = make("p", "exercise-on", "Go on: ");

@@ -3,6 +3,7 @@
 import ast
 import io
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -26,6 +27,7 @@ from tests.helpers.leaks import (
     read_document,
     read_documents,
 )
+from tools.derive.completions import make_starter
 from tools.editions.student import make_files, pack
 
 HTML = ROOT / "_build" / "html"
@@ -166,6 +168,17 @@ def test_planted_notes_and_hidden_cases_of_real_cards_are_found(
     found = find_leaks(secrets, read_documents(tmp_path))
     assert any(line.startswith(f"notes.html: {NOTES[0].name}") for line in found)
     assert any(line.startswith("card.md: process_depth: _hidden") for line in found)
+
+
+@pytest.mark.parametrize("card", [one for one in load_exercises().values() if one.completion])
+def test_a_planted_line_of_a_completion_is_found(card: Exercise, secrets: list[Secret]) -> None:
+    assert card.completion is not None
+    marked = card.completion.write_with()
+    for code in (marked, re.sub(r"  # open: .*", "", marked)):
+        found = find_leaks(secrets, read_document("page.ipynb", make_notebook(code)))
+        assert [line for line in found if f"{card.name}: completion" in line]
+    starter = make_starter(card.completion)
+    assert find_leaks(secrets, read_document("page.ipynb", make_notebook(starter))) == []
 
 
 def test_a_common_line_alone_is_no_leak(challenge_secrets: list[Secret]) -> None:

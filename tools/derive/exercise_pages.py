@@ -10,6 +10,7 @@ import re
 from typing import TYPE_CHECKING
 
 from content.page_minutes import fill_card
+from tools.derive import completions
 from tools.derive.exercise_cards import (
     get_label,
     make_card,
@@ -94,6 +95,8 @@ def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) ->
     for one in chosen:
         if one.name in groups:
             parts[f"group {one.name}"] = groups[one.name]
+        if one.completion:
+            parts[f"completion {one.name}"] = completions.make_part(one, one.completion)
         parts |= {
             f"example {one.name}": make_example(one),
             f"exercise {one.name}": make_exercise(one),
@@ -106,12 +109,16 @@ def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) ->
 
 
 def _place_groups(text: str, names: Iterable[str]) -> str:
-    """Put an empty part for the heading of a group above the first exercise of each."""
+    """Put an empty part for the heading of a group above the first exercise of each.
+
+    Its completion, where it has one, belongs to it.
+    """
     text = GROUP.sub("", text)
     for name in names:
-        label = f"({get_label(name)})=\n"
+        completion = f"<!-- begin completion {name} -->\n"
+        first = completion if completion in text else f"({get_label(name)})=\n"
         mark = f"<!-- begin group {name} -->\n<!-- end group {name} -->\n\n"
-        text = text.replace(label, f"{mark}{label}", 1)
+        text = text.replace(first, f"{mark}{first}", 1)
     return text
 
 
