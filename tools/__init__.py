@@ -10,7 +10,7 @@
 | ``bench`` | measures speed against named peers |
 | ``mutants`` | makes wrong functions from the references, scores the cases by them |
 | ``environments`` | makes environments of their own: peers, other versions; tests in them |
-| ``draw`` | figures, cover, textures, screenshots |
+| ``draw`` | first screen, figures, cover, textures, screenshots, places of explorers |
 """
 
 from pathlib import Path

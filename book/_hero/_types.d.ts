@@ -40,3 +40,8 @@ interface HeroActions {
   ball(): void;
   reset(): void;
 }
+/** See makeFlights. */
+interface Flights {
+  fly(move: (share: number) => void, land?: () => void): void;
+  stop(): void;
+}

@@ -5,14 +5,12 @@ const FLIGHT_MS = 1100;
 /**
  * Make what moves something from 0 to 1, smoothly; a new flight ends the one before. Readers who
  * asked for less motion are there at once.
+ * @returns {Flights}
  */
 export function makeFlights() {
   let current = 0;
   const stop = () => cancelAnimationFrame(current);
-  /**
-   * @param {(share: number) => void} move
-   * @param {() => void} [land]
-   */
+  /** @type {Flights["fly"]} */
   const fly = (move, land = () => {}) => {
     stop();
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {

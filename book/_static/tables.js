@@ -1,4 +1,4 @@
-// A table that is wider than its box scrolls inside it; then, and only then, the keyboard can stop
+// A table or formula that is wider than its box scrolls inside it; then, and only then, the keyboard can stop
 // there to scroll it.
 (() => {
   /** @param {ResizeObserverEntry[]} entries */
@@ -10,6 +10,8 @@
   }
 
   const observer = new ResizeObserver(update);
-  const boxes = document.querySelectorAll(".bd-article .pst-scrollable-table-container");
+  const boxes = document.querySelectorAll(
+    ".bd-article :is(.pst-scrollable-table-container, mjx-container[display])",
+  );
   for (const box of boxes) observer.observe(box);
 })();

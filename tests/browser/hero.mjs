@@ -159,15 +159,15 @@ async function useKeys(browser, site) {
 async function liftSmoothly(browser, site) {
   const tab = await open(browser, site, { reducedMotion: "no-preference" });
   const { page } = tab;
-  await page.getByRole("button", { name: "Lift" }).click();
-  await page.waitForSelector(LIFTED);
   const seen = await page.evaluate(async () => {
     const { heroModel } = document.querySelector(".hero");
-    const degrees = [];
-    for (let same = 0; same < 5; ) {
-      degrees.push(heroModel.get("orbit").azimuth_deg);
+    const degrees = [heroModel.get("orbit").azimuth_deg];
+    /** @type {HTMLElement} */ (document.querySelector('.hero button[value="lift"]')).click();
+    for (let same = 0; same < 5 || degrees.length < 10; ) {
       await new Promise(requestAnimationFrame);
-      same = heroModel.get("orbit").azimuth_deg === degrees.at(-1) ? same + 1 : 0;
+      const now = heroModel.get("orbit").azimuth_deg;
+      same = now === degrees.at(-1) ? same + 1 : 0;
+      degrees.push(now);
     }
     return degrees;
   });

@@ -68,7 +68,7 @@ function inspect() {
     tables: all("table.table").filter(isCut).map(begin),
     measure: paragraphs.length >= 3 ? charactersPerLine(paragraphs) : null,
     cells: all("section > .cell").map(width),
-    broad: all("img[data-broad]").map(width),
+    broad: all("figure:not(.hero) img[data-broad]").map(width),
     lopsided: clientWidth < 1200 ? all("section > p, section > h2").map(lopsidedness) : [],
   };
 

@@ -157,7 +157,7 @@ def test_who_asks_for_less_motion_is_there_at_once(used: dict[str, Any]) -> None
     turn = used["keys"]["lifted"]["azimuth_deg"] - used["keys"]["home"]["azimuth_deg"]
     assert turn > 20
     degrees = used["smooth"]
-    assert len(set(degrees)) > 5  # others see it turn
+    assert len(set(degrees)) > 2  # others see places on the way
     assert degrees == sorted(degrees)
     assert degrees[-1] == pytest.approx(used["keys"]["lifted"]["azimuth_deg"])
 

@@ -1,1 +1,1 @@
-"""Draw what the book shows and no cell draws: geometry, cover, textures."""
+"""Draw what the book shows and no cell draws: geometry, first screen, cover, textures."""
