@@ -20,12 +20,6 @@ await main(async (browser, site, name, planFile) => {
   const plan = JSON.parse(readFileSync(planFile, "utf8"));
   for (const exercise of names) said[exercise] = { starter: await check(page, exercise) };
   const setup = await check(page, names[0], plan.setup);
-  for (const exercise of names) {
-    const { reference, wrong } = plan.exercises[exercise];
-    said[exercise].wrong = await check(page, exercise, wrong);
-    said[exercise].reference = await check(page, exercise, reference);
-    await setCode(page, exercise, "");
-  }
   const completed = {};
   const solved = () => page.locator(".exercise-count").innerText();
   for (const name of await listCompletions(page)) {
@@ -36,9 +30,16 @@ await main(async (browser, site, name, planFile) => {
       half: await check(page, name, starter.replace("= ...", "= 0")),
       wrong: await check(page, name, wrong),
       whole: await check(page, name, whole),
+      next: await page.locator(`[data-exercise="${name}"] .exercise-on a`).innerText(),
       buttons: await page.locator(`[data-exercise="${name}"] button:visible`).allInnerTexts(),
       solved: [before, await solved()],
     };
+  }
+  for (const exercise of names) {
+    const { reference, wrong } = plan.exercises[exercise];
+    said[exercise].wrong = await check(page, exercise, wrong);
+    said[exercise].reference = await check(page, exercise, reference);
+    await setCode(page, exercise, "");
   }
   return { said, setup, completed, complaints: [...complaints] };
 });

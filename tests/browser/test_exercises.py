@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import re
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -23,6 +24,7 @@ from tools.derive.completions import make_starter
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = {card.chapter for card in load_exercises().values()}
 CARDS = load_exercises()
+RE_FLAGS = re.MULTILINE | re.DOTALL
 COMPLETIONS = {card.name: card.completion for card in CARDS.values() if card.completion is not None}
 
 # "import mujoco" is also what makes the page load the simulator, which some cards need.
@@ -139,6 +141,9 @@ def test_a_completion_is_solved_on_the_page_and_counts_for_nothing(
     chapter, done = used
     due = {one.name: one for name, one in COMPLETIONS.items() if CARDS[name].chapter == chapter}
     assert list(done["completed"]) == list(due)
+    text = (ROOT / page_of(chapter)).with_suffix(".md").read_text(encoding="utf-8")
+    # the heading that follows a completion is that of its exercise
+    titles = dict(re.findall(r'^check\("(\w+)".*?^\(exercise-[^\n]*\n## ([^\n]+)$', text, RE_FLAGS))
     for name, completion in due.items():
         said = done["completed"][name]
         for part in ("starter", "half", "wrong"):
@@ -147,6 +152,7 @@ def test_a_completion_is_solved_on_the_page_and_counts_for_nothing(
         assert f"Recognized: {completion.slips[0].text}" in said["wrong"]["text"]
         assert said["whole"]["result"] == "passed", (name, said["whole"])
         assert "Hint" not in said["buttons"]
+        assert said["next"] == titles[completion.name]
         before, after = said["solved"]
         assert before == after, "a completion was counted as an exercise"
 
