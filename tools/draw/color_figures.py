@@ -23,38 +23,30 @@ SQUASH = 0.34  # a circle seen from the side
 
 
 def turn(degrees: float, radius: float = 1.0) -> np.ndarray:
-    """Return a point of the wheel: 0 degrees to the right, counted against the clock."""
+    """Return a point of the wheel, clockwise from the top as on the ring of the explorer."""
     angle = np.deg2rad(degrees)
-    return radius * np.array([np.cos(angle), np.sin(angle)])
+    return radius * np.array([np.sin(angle), np.cos(angle)])
 
 
 def draw_hue_wheel() -> Axes:
     """Hues stand around a circle, in OpenCV's half degrees, with the seam at red."""
-    ax = make_axes((-2.5, 2.5), (-1.85, 1.85))
+    ax = make_axes((-2.5, 2.5), (-1.65, 1.95))
     for degrees in range(0, 360, STEP):
         color = colorsys.hsv_to_rgb((degrees + STEP / 2) / 360, 1, 1)
+        start = 90 - degrees - STEP  # Matplotlib counts from the right, against the clock
         ax.add_patch(
-            Wedge((0, 0), 1.2, degrees - 0.2, degrees + STEP + 0.2, width=0.42, fc=color, ec="none")
+            Wedge((0, 0), 1.2, start - 0.2, start + STEP + 0.2, width=0.42, fc=color, ec="none")
         )
     for hue, name in NAMES.items():
-        at = turn(2 * hue, 1.45)
-        side = {0: "left", 90: "right"}.get(hue, "center")
+        at = turn(2 * hue, 1.3)
+        ha = "center" if hue in {0, 90} else "left" if hue < 90 else "right"
         if hue:
-            label(ax, at, f"{name} {hue}", ha=side, fontsize=11)
+            label(ax, at, f"{name} {hue}", ha=ha, va="top" if hue == 90 else "center", fontsize=11)
         line(ax, turn(2 * hue, 0.7), turn(2 * hue, 0.77), lw=1)
-    line(ax, (0.72, 0), (1.34, 0), INK, lw=3)
-    label(
-        ax,
-        (1.42, 0.3),
-        "0, 1, 2 ... red\nthat leans\nto orange",
-        ha="left",
-        va="bottom",
-        fontsize=9.5,
-    )
-    label(ax, (1.42, 0.0), "seam", ACCENT, "left", weight="bold", fontsize=11)
-    label(
-        ax, (1.42, -0.3), "... 178, 179 red\nthat leans\nto pink", ha="left", va="top", fontsize=9.5
-    )
+    line(ax, (0, 0.72), (0, 1.4), INK, lw=3)
+    label(ax, (0, 1.58), "seam", ACCENT, weight="bold", fontsize=11)
+    label(ax, (0.35, 1.5), "0, 1, 2 ...: red that\nleans to orange", ha="left", fontsize=10)
+    label(ax, (-0.35, 1.5), "... 178, 179: red\nthat leans to pink", ha="right", fontsize=10)
     label(ax, (0, 0.12), "hue in OpenCV:", fontsize=11)
     label(ax, (0, -0.14), "angle / 2", ACCENT, fontsize=11)
     return ax
@@ -70,7 +62,7 @@ def paint_cylinder(x: np.ndarray, y: np.ndarray, radius: float, top: float) -> n
     depth = np.where(is_lid, lid_y, front / SQUASH)  # seen from above, where the color sits
     hsv = np.stack(
         [
-            np.arctan2(depth, x) / (2 * np.pi) % 1,
+            -np.arctan2(depth, x) / (2 * np.pi) % 1,
             np.where(is_lid, np.minimum(np.hypot(x, lid_y) / radius, 1), 1),
             np.where(is_lid, 1, np.clip((y - front) / top, 0, 1)),
         ],
@@ -103,15 +95,15 @@ def draw_hsv_cylinder() -> Axes:
     arrow(ax, (0, top), (1.2, top), "#333333", lw=1.4)
     arrow(ax, (1.3, top), (1.55, top), INK, style="-", lw=1)
     label(ax, (1.6, top), "saturation,\n0 on the axis", ha="left", fontsize=11)
-    angles = np.deg2rad(np.linspace(35, 130, 40))
+    angles = np.deg2rad(np.linspace(145, 50, 40))
     ax.plot(1.42 * np.cos(angles), 1.42 * SQUASH * np.sin(angles) + top + 0.05, color=INK, lw=1.4)
     tip = (1.42 * np.cos(angles[-1]), 1.42 * SQUASH * np.sin(angles[-1]) + top + 0.05)
-    arrow(ax, (tip[0] + 0.08, tip[1] + 0.022), tip, lw=1.4)
+    arrow(ax, (tip[0] - 0.08, tip[1] + 0.022), tip, lw=1.4)
     label(ax, (0.2, top + 0.75), "hue", ha="center")
     label(
         ax,
         (0.2, -0.75),
-        "the whole bottom is black: hue and saturation say nothing there",
-        fontsize=8.5,
+        "black all over: hue says nothing there",
+        fontsize=10.5,
     )
     return ax
