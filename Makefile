@@ -15,7 +15,7 @@ export EDITION
 
 .DEFAULT_GOAL := help
 .PHONY: help setup book serve lab outputs exercises mutants new-chapter \
-	new-exercise unfilled student test test-slow foreign matrix lint format check bench lock clean
+	new-exercise unfilled student test test-slow foreign matrix lint links format check bench lock clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-13s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -71,11 +71,15 @@ foreign: setup ## look at robots of dm_control, robosuite and gymnasium; write w
 matrix: setup ## run the library's tests with the oldest and newest versions it supports
 	@$(RUN) -m tools.environments.matrix
 
-lint: setup ## check style and types
+lint: setup ## check style, types and spelling
 	@$(RUN) -m ruff check .
 	@$(RUN) -m ruff format --check .
 	@$(RUN) -m mypy
 	@$(RUN) -m tools.build.javascript check
+	@$(RUN) -m codespell_lib
+
+links: book ## ask every page that the book links to, also those of others (needs a network)
+	@$(RUN) -m tools.build.links
 
 format: setup ## rewrite the source in the house style
 	@$(RUN) -m ruff check --fix .

@@ -282,7 +282,29 @@ def test_e17_one_range_misses_the_red_box(frame: Frame, rgb: np.ndarray) -> None
     assert model.body(labels[y, x]).name == "red_box"
 
 
-def test_e18_the_cloud_is_in_the_camera_frame(frame: Frame) -> None:
+def test_e18_a_centroid_cut_off_to_whole_pixels_misses_the_center(
+    frame: Frame, rgb: np.ndarray
+) -> None:
+    model, data, depth, K = frame
+    camera, origin = data.camera(CAMERA), data.body("orange_cylinder").xpos
+    mask = lab.segment_by_color(rgb, lab.HSV_RANGES["orange"])
+    exact = np.argwhere(mask).mean(axis=0)[::-1]
+    cut = lab.find_object_centroid(mask)
+    assert cut == tuple(np.floor(exact))
+
+    def get_error_mm(pixel: np.ndarray) -> float:
+        u, v = pixel.astype(int)
+        point = lab.pixels_to_points([pixel], depth[v, u][None], K)
+        found = lab.camera_to_world(point, camera.xpos, camera.xmat)[0]
+        ray = (found - camera.xpos) / np.linalg.norm(found - camera.xpos)
+        thickness = mujoco.mj_ray(model, data, origin, -ray, None, 1, -1, None)
+        return float(1000 * np.linalg.norm(found + thickness * ray - origin))
+
+    errors = [get_error_mm(pixel) for pixel in (np.floor(exact), np.round(exact))]
+    assert_page_says("E18", *(f"{error:.1f} mm" for error in errors))
+
+
+def test_e19_the_cloud_is_in_the_camera_frame(frame: Frame) -> None:
     model, data, depth, K = frame
     points, _ = lab.depth_to_pointcloud(depth, K)
     truth = lab.raycast_points(model, data, CAMERA, WIDTH, HEIGHT)[lab.find_valid_depth(depth)]
@@ -290,10 +312,10 @@ def test_e18_the_cloud_is_in_the_camera_frame(frame: Frame) -> None:
     camera = data.camera(CAMERA)
     moved = lab.camera_to_world(points, camera.xpos, camera.xmat)
     rest_mm = 1000 * np.median(np.linalg.norm(moved - truth, axis=1))
-    assert_page_says("E18", f"{off:.1f} m", f"{rest_mm:.1f} mm")
+    assert_page_says("E19", f"{off:.1f} m", f"{rest_mm:.1f} mm")
 
 
-def test_e19_a_ply_file_needs_no_open3d(tmp_path: Path) -> None:
+def test_e20_a_ply_file_needs_no_open3d(tmp_path: Path) -> None:
     code = (
         "import sys; sys.modules['open3d'] = None\n"
         "from labutils.__main__ import main\n"
@@ -304,10 +326,10 @@ def test_e19_a_ply_file_needs_no_open3d(tmp_path: Path) -> None:
     command = [sys.executable, "-c", code, str(tmp_path)]
     subprocess.run(command, check=True, capture_output=True, env=environment)
     assert (tmp_path / "scene_pointcloud.ply").read_bytes().startswith(b"ply\n")
-    assert_page_says("E19", "`scene_pointcloud.ply` written")
+    assert_page_says("E20", "`scene_pointcloud.ply` written")
 
 
-def test_e20_the_lab_makes_five_files(tmp_path: Path) -> None:
+def test_e21_the_lab_makes_five_files(tmp_path: Path) -> None:
     names = [path.name for path in lab.save_outputs(tmp_path, width=64, height=48)]
     assert "pointcloud.xyz" in names
-    assert_page_says("E20", f"{len(names)} files")
+    assert_page_says("E21", f"{len(names)} files")
