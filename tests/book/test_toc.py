@@ -18,7 +18,7 @@ PAGES = find_pages()
 NO_ALT = "expected an alt text of 20 characters and more that says the finding"
 FRONT_MATTER = r"^---\n.*?^---\n"
 DRAWING = r"^```\{figure\}.*?^```$\n*"
-FOLDED = r"^### For the curious.*?(?=^#|^\([\w-]+\)=$)"
+FOLDED = r"^### For the curious.*?(?=^##|^\([\w-]+\)=$)"  # "# " begins a comment in a cell
 MAX_LINES, MAX_CELL = 400, 8
 
 
