@@ -44,12 +44,14 @@ class BookIndex(SphinxDirective):
 
 def label_errors(app: Sphinx, tree: nodes.document) -> None:
     """Give the section of common errors of a page a label."""
-    labels = app.env.get_domain("std").data["labels"]
+    known = app.env.get_domain("std").data
     name = app.env.docname
     for section in tree.findall(nodes.section):
         if section[0].astext() == HEADING:
             label = book_index.ERRORS.format(page=Path(name).name)
-            labels[label] = (name, section["ids"][0], HEADING)
+            place = section["ids"][0]
+            known["labels"][label] = (name, place, HEADING)
+            known["anonlabels"][label] = (name, place)  # for links with words of their own
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
