@@ -33,6 +33,8 @@ WEIGHTS = {
 }
 GLOSSARY = "book/glossary"
 HELP = ("book/troubleshooting", "book/errata", "book/rubric")
+#: It names every word and explains none.
+LEFT_OUT = ("book/index_of_terms",)
 REFERENCE = ("book/references", "book/architecture", "book/speed", "book/evidence")
 #: Sections of a chapter that say what the whole page is about: they are found as its top.
 ABOUT_PAGE = ("question-and-objectives", "new-words")
@@ -191,7 +193,11 @@ def write_index(app: Sphinx, exception: Exception | None) -> None:
     if exception or app.builder.name != "html":
         return
     folder = Path(app.outdir)
-    names = [name for name in app.env.collect_relations() if (folder / f"{name}.html").is_file()]
+    names = [
+        name
+        for name in app.env.collect_relations()
+        if name not in LEFT_OUT and (folder / f"{name}.html").is_file()
+    ]
     script = make_script((name, (folder / f"{name}.html").read_text("utf-8")) for name in names)
     (folder / "_static" / SCRIPT).write_text(script, encoding="utf-8")
     version = hashlib.sha256(script.encode()).hexdigest()[:8]

@@ -102,6 +102,7 @@ def test_the_numbers_are_those_of_the_book() -> None:
         "focal": K[0, 0],
         "corner-ray": np.linalg.norm(corner),
         "middle": K_six[0, 2],
+        "horizon-row": K[1, 2] - K[1, 1] * np.tan(np.deg2rad(10)),
     }
     numbers = {item.id: item.number for item in ITEMS if item.number}
     assert set(numbers) == set(computed)

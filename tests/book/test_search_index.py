@@ -142,8 +142,9 @@ def test_every_page_has_a_kind(page: str, kind: str) -> None:
     assert kind in search_index.WEIGHTS
 
 
-def test_pages_that_are_named_as_help_or_reference_exist() -> None:
+def test_pages_that_are_named_as_help_or_reference_or_left_out_exist() -> None:
     named = {search_index.GLOSSARY, *search_index.HELP, *search_index.REFERENCE}
+    named |= {*search_index.LEFT_OUT}
     assert named <= set(list_pages())
 
 

@@ -70,3 +70,23 @@ def test_an_older_mujoco_stops_the_scene_and_not_the_geometry() -> None:
         timeout=60,
     )
     assert done.stdout.splitlines() == ["(3, 3)", WORDS.format("3.17.0")], done.stderr
+
+
+def test_the_start_page_names_the_versions_that_the_package_asks_for() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    _, _, section = (ROOT / "book" / "start.md").read_text("utf-8").partition("(start-versions)=")
+    section, _, _ = section.partition("\n## ")
+    asked = {"Python": project["requires-python"].removeprefix(">=")}
+    view = project["optional-dependencies"]["view"]
+    for line in (*project["dependencies"], *view):
+        name, _, version = line.partition(">=")
+        asked[name] = version
+    shown = {
+        "Python": "Python",
+        "mujoco": "MuJoCo",
+        "numpy": "NumPy",
+        "opencv-python-headless": "OpenCV",
+        "open3d": "Open3D",
+    }
+    for name, words in shown.items():
+        assert f"{words} {asked[name]}" in section, f"expected {words} {asked[name]}"

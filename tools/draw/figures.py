@@ -1,4 +1,4 @@
-"""Draw the book's geometry: pinhole, frames, pixel grid, depth, stereo and the pipeline.
+"""Draw the book's geometry: pinhole, frames, pixel grid, depth, stereo, the pipeline.
 
 Every function draws one SVG of ``book/_static/figures``. The lengths in the drawings come from the
 same formulas as the text; the ink is a mid gray that reads on light and on dark pages, and the
@@ -16,6 +16,8 @@ import numpy as np
 from matplotlib.patches import Arc, FancyBboxPatch, Polygon, Rectangle
 
 from tools import ROOT
+from tools.draw.color_figures import draw_hsv_cylinder, draw_hue_wheel
+from tools.draw.ray_figures import draw_horizon, draw_thickness
 from tools.draw.svg_ink import (
     ACCENT,
     COOL,
@@ -276,6 +278,10 @@ DRAWINGS = {
     "depth_vs_range": draw_depth_vs_range,
     "stereo": draw_stereo,
     "pipeline": draw_pipeline,
+    "horizon": draw_horizon,
+    "thickness": draw_thickness,
+    "hue_wheel": draw_hue_wheel,
+    "hsv_cylinder": draw_hsv_cylinder,
 }
 
 
