@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from content.chapters import Chapter
+    from solutions._completion import Completion
 
 __all__ = ["Absorbed", "Case", "Exercise", "Misconception", "Part", "asked", "given", "told"]
 
@@ -114,6 +115,8 @@ class Exercise:
         its entry in the starter's docstring (the type, a line break, what it is); or a section,
         such as "Raises", and its text, empty where the starter has none. Parameters that go by
         keyword only are no part of the exercise anyway.
+    completion : Completion, optional
+        A twin to complete before it; exercises with points have one.
     """
 
     name: str
@@ -137,6 +140,7 @@ class Exercise:
     imports: tuple[str, ...] = ("import numpy as np",)
     asks: Mapping[str, str] = field(default_factory=dict)
     absorbed: tuple[Absorbed, ...] = field(default=())
+    completion: Completion | None = None
 
     def __post_init__(self) -> None:
         names = [one.name for one in self.misconceptions]

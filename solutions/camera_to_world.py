@@ -11,6 +11,7 @@ import labutils
 from solutions._cases import make_rotation
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 from solutions._simpler import Simplification, put
+from solutions.completions.camera_to_world import COMPLETION
 
 
 def _answer_with(
@@ -189,4 +190,5 @@ show((cloud, colors), frame="world")""",
         Absorbed("no-flip", "flip-outside", "without a flip there is no side to put it on"),
         Absorbed("no-position", "position-first", "what is never added is not added too early"),
     ),
+    completion=COMPLETION,
 )

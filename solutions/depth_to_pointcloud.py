@@ -10,6 +10,7 @@ import labutils
 from solutions._cases import make_depth, make_rgb, spoil_depth
 from solutions._model import Case, Exercise, Misconception, Part, asked, told
 from solutions._simpler import Simplification
+from solutions.completions.depth_to_pointcloud import COMPLETION
 
 
 def _answer_with(
@@ -251,4 +252,5 @@ show((cloud, cloud_colors))""",
         ),
         "Raises": "",
     },
+    completion=COMPLETION,
 )

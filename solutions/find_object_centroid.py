@@ -11,6 +11,7 @@ import labutils
 from solutions._cases import make_mask
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
 from solutions._simpler import Simplification
+from solutions.completions.find_object_centroid import COMPLETION
 
 
 def _answer_with(mistakes: frozenset[str], mask: np.ndarray) -> Any:
@@ -236,4 +237,5 @@ show(lab.visualize_detection(rgb, centroid, mask))""",
             "the center of all regions does not depend on which of them is chosen",
         ),
     ),
+    completion=COMPLETION,
 )

@@ -11,6 +11,7 @@ import labutils
 from labutils.checks.table import Scene
 from solutions._cases import make_scene_text
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
+from solutions.completions.get_camera_intrinsics import COMPLETION
 
 
 def _answer_with(
@@ -192,4 +193,5 @@ show(lab.render_camera(model, data, renderer, "sensor_camera")[0])""",
         Absorbed("sensor-ignored", "principal-sign", "without the sensor there is no shift"),
         Absorbed("sensor-ignored", "square-pixels", "cam_fovy gives square pixels anyway"),
     ),
+    completion=COMPLETION,
 )

@@ -6,6 +6,7 @@ import numpy as np
 
 import labutils
 from solutions._model import Case, Exercise, Misconception, Part, asked, given, told
+from solutions.completions.intrinsics_matrix import COMPLETION
 
 
 def _answer_with(mistakes: frozenset[str], fov_y: float, width: int, height: int) -> np.ndarray:
@@ -159,4 +160,5 @@ show(lab.visualize_detection(rgb, (u, v)), "K finds the ball")""",
         ),
         "Raises": "",
     },
+    completion=COMPLETION,
 )

@@ -9,6 +9,7 @@ import numpy as np
 import labutils
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
 from solutions._simpler import Simplification
+from solutions.completions.process_depth import COMPLETION
 
 
 def _answer_with(
@@ -199,4 +200,5 @@ show(process_depth(depth_raw, near, far), "meters along the optical axis")""",
             for other in ("linear", "not-clipped", "reversed", "ndc", "fixed-planes", "nan-lost")
         ),
     ),
+    completion=COMPLETION,
 )

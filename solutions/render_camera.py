@@ -11,6 +11,7 @@ import numpy as np
 import labutils
 from solutions._cases import make_render_scene
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given, told
+from solutions.completions.render_camera import COMPLETION
 
 
 def _answer_with(
@@ -214,4 +215,5 @@ show(distance, "how far away all of it is")""",
             "upside-down",
         )
     ),
+    completion=COMPLETION,
 )

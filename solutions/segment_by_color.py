@@ -11,6 +11,7 @@ import labutils
 from solutions._cases import hsv_to_rgb, make_color_scene
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 from solutions._simpler import Simplification
+from solutions.completions.segment_by_color import COMPLETION
 
 Color = tuple[int, int, int]
 
@@ -235,4 +236,5 @@ show({"picture": rgb, "red": mask})""",
         Absorbed("no-cleaning", "close-first", _NOT_CLEANED),
         Absorbed("no-cleaning", "small-kernel", _NOT_CLEANED),
     ),
+    completion=COMPLETION,
 )

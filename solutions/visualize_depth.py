@@ -11,6 +11,7 @@ import labutils
 from solutions._cases import make_depth, spoil_depth
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, told
 from solutions._simpler import Simplification
+from solutions.completions.visualize_depth import COMPLETION
 
 
 def _answer_with(
@@ -208,4 +209,5 @@ show(picture_bgr[..., ::-1], "up to 2.2 m")  # BGR becomes RGB""",
         Absorbed("not-scaled", "red-is-close", _ONE_BLUE),
         Absorbed("not-scaled", "own-maximum", _ONE_BLUE),
     ),
+    completion=COMPLETION,
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dis
 import inspect
+import itertools
 from types import CodeType, EllipsisType
 
 
@@ -44,6 +45,37 @@ def is_begun(function: object) -> bool:
     has_names = bool(set(code.co_names) - {"NotImplementedError"})
     has_variables = len(code.co_varnames) > arguments or bool(code.co_cellvars)
     return has_names or has_variables or _has_values(code) or _uses_arguments(code)
+
+
+def count_open_lines(function: object) -> int:
+    """Count the values of a starter that are still ``...``.
+
+    Parameters
+    ----------
+    function : object
+        The learner's.
+
+    Returns
+    -------
+    int
+        How often ``...`` is assigned; a ``...`` inside of an index is none.
+
+    Examples
+    --------
+    >>> def halve(picture):
+    ...     half = ...
+    ...     return half[..., ::2]
+    >>> count_open_lines(halve)
+    1
+    """
+    code = getattr(inspect.unwrap(function), "__code__", None)  # type: ignore[arg-type]
+    if not isinstance(code, CodeType):
+        return 0
+    steps = [one for one in dis.get_instructions(code) if one.opname != "CACHE"]
+    return sum(
+        step.argval is Ellipsis and following.opname.startswith(("STORE_", "UNPACK_"))
+        for step, following in itertools.pairwise(steps)
+    )
 
 
 def _has_values(code: CodeType) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from labutils.checks.begun import is_begun
+from labutils.checks.begun import count_open_lines, is_begun
 from labutils.checks.calls import find_call_problem
 from labutils.checks.compare import align_rows
 from labutils.checks.explain import Differences
@@ -54,6 +54,8 @@ def judge(table: CheckTable, function: object) -> Verdict:
     if problem := find_call_problem(table, function):
         return _fail(table, "defined", (problem,))
     assert callable(function)  # noqa: S101 - the first thing that find_call_problem asks for
+    if table.open_lines and (left := count_open_lines(function)):
+        return _tell_open_lines(table, left)
     try:
         if table.needs_mujoco and not _has_mujoco():
             text = (
@@ -64,10 +66,19 @@ def judge(table: CheckTable, function: object) -> Verdict:
                 table.name, "not checked", paragraphs=(text, advice, NOT_YOURS), link=table.section
             )
         answers, changed = collect_and_watch(table, function)
-        return judge_answers(table, answers, function, changed)
+        verdict = judge_answers(table, answers, function, changed)
+        # a completion is practice: nothing is kept of it
+        return replace(verdict, counted=False) if table.leads_to else verdict
     except Exception as error:  # noqa: BLE001 - whatever fails here is the checker's own fault
         text = f"The checker itself failed: {type(error).__name__}: {error}."
         return Verdict(table.name, "not checked", paragraphs=(text, NOT_YOURS))
+
+
+def _tell_open_lines(table: CheckTable, left: int) -> Verdict:
+    """Name what is still missing in a completion."""
+    begun = "One line is still open." if left < table.open_lines else "Not started yet."
+    text = "Replace every ... by code: the comment behind it says what it has to be."
+    return replace(_fail(table, "runs", (begun, text)), counted=False)
 
 
 def _has_mujoco() -> bool:
@@ -105,6 +116,9 @@ def judge_answers(
     failure = find_failure(table, answers, begun=is_begun(function))
     if failure is None and changed:
         return _fail(table, "input", ("All values agree.", _tell_changed(changed).text))
+    if failure is None and table.leads_to:
+        lines = [f"All {len(table.cases)} cases agree.", f"Now write {table.leads_to} yourself."]
+        return Verdict(table.name, "passed", paragraphs=tuple(lines), counted=False)
     if failure is None:
         lines = [f"All {len(table.cases)} visible cases agree."]
         borrowed = _is_library_function(table.name, function)

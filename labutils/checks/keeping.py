@@ -10,7 +10,7 @@ from labutils.checks.judging import judge
 from labutils.checks.links import find_link
 from labutils.checks.progress import Progress, load_progress, save_progress
 from labutils.checks.progress_rules import MAX_HINTS
-from labutils.checks.table import TableError, load_table, read_words
+from labutils.checks.table import COMPLETIONS, TableError, load_table, read_words
 from labutils.checks.verdict import NOT_YOURS, Verdict
 
 
@@ -20,7 +20,7 @@ def check(name: str, function: object = None) -> Verdict:
     Parameters
     ----------
     name : str
-        The exercise, which is the name of the function it asks for.
+        The exercise, which is the name of the function it asks for; or a completion.
     function : callable
         Your function itself, without parentheses.
 
@@ -37,7 +37,8 @@ def check(name: str, function: object = None) -> Verdict:
         If there is no exercise of that name.
     """
     try:
-        _read_exercise(name)
+        if name not in read_words(file=COMPLETIONS):
+            _read_exercise(name)
         verdict = judge(load_table(name), function)
     except TableError as error:
         return Verdict(str(name), "not checked", paragraphs=(f"{error}.", NOT_YOURS))
@@ -103,13 +104,17 @@ def hint(name: str) -> Hint:
     Returns
     -------
     Hint
-        A str: hint 1, then 2, then 3 of 3; after that the third again.
+        A str: hint 1, then 2, then 3 of 3; after that the third again. For a completion, where
+        its worked example is.
 
     Raises
     ------
     ValueError
         If there is no exercise of that name.
     """
+    if (completion := read_words(file=COMPLETIONS).get(name)) is not None:
+        link = find_link(completion["section"])
+        return Hint(f"A completion has no hints. Its worked example shows every call: {link}")
     hints = _read_exercise(name)["hints"]
     progress = load_progress()
     record = progress.get(name)

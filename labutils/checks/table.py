@@ -18,6 +18,7 @@ import numpy as np
 #: Where the frozen tables lie.
 TABLES = Path(__file__).with_name("tables")
 WORDS = "exercises.json"
+COMPLETIONS = "completions.json"
 
 
 @dataclass(frozen=True)
@@ -152,6 +153,9 @@ class CheckTable:
     matters: tuple[str, ...] = ()
     #: Simpler cases, for whoever is wrong: tried in this order.
     simpler: tuple[Simpler, ...] = ()
+    #: Of a completion: how many values its starter leaves open, and the exercise it leads to.
+    open_lines: int = 0
+    leads_to: str = ""
 
     def with_cases(self, cases: tuple[Case, ...], expected: tuple[Outcome, ...]) -> CheckTable:
         """Return a table of other cases: of these, no wrong answers are known."""
@@ -173,19 +177,25 @@ class TableError(Exception):
 
 
 @cache
-def read_words(folder: Path = TABLES) -> dict[str, Any]:
-    """Read the words of all exercises, in the order of the book."""
+def read_words(folder: Path = TABLES, file: str = WORDS) -> dict[str, Any]:
+    """Read the words of all exercises, or of all completions, in the order of the book."""
     try:
-        words = json.loads((folder / WORDS).read_text(encoding="utf-8"))
+        words = json.loads((folder / file).read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise TableError(f"the check tables cannot be read ({error})") from error
     return dict(words)
 
 
+def find_words(name: str, folder: Path = TABLES) -> dict[str, Any]:
+    """Return the words of an exercise or completion; raise KeyError where there is none."""
+    known = read_words(folder)
+    return dict(known[name] if name in known else read_words(folder, COMPLETIONS)[name])
+
+
 @cache
 def load_table(name: str, folder: Path = TABLES) -> CheckTable:
-    """Read the table of one exercise; raise KeyError where there is no such exercise."""
-    words = read_words(folder)[name]
+    """Read the table of one exercise or completion; raise KeyError where there is none."""
+    words = find_words(name, folder)
     try:
         with np.load(folder / f"{name}.npz", allow_pickle=False) as stored:
             arrays = {key: stored[key] for key in stored.files}
@@ -226,6 +236,8 @@ def load_table(name: str, folder: Path = TABLES) -> CheckTable:
             )
             for item in words["simpler"]
         ),
+        open_lines=words.get("open_lines", 0),
+        leads_to=words.get("leads_to", ""),
     )
 
 

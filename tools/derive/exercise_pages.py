@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from tools.derive import completions
 from tools.derive.starters import make_starter
 
 if TYPE_CHECKING:
@@ -148,6 +149,8 @@ def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) ->
     chosen = _require(exercises, chapter)
     parts = {"card": make_card(chosen, chapter), "set up": SET_UP}
     for one in chosen:
+        if one.completion:
+            parts[f"completion {one.name}"] = completions.make_part(one, one.completion)
         parts |= {
             f"example {one.name}": make_example(one),
             f"exercise {one.name}": make_exercise(one),

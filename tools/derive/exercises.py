@@ -20,10 +20,11 @@ from typing import Any
 import numpy as np
 
 from content.chapters import list_required, list_taught
-from labutils.checks.table import WORDS, CheckTable
+from labutils.checks.table import COMPLETIONS, WORDS, CheckTable
 from labutils.checks.writing import encode, is_same_array, part_to_words
 from solutions import QUALITY_POINTS, Exercise, load_exercises
 from tools import ROOT
+from tools.derive import completions
 from tools.derive.contract import GapError, make_contract
 from tools.derive.exercise_pages import (
     describe_points,
@@ -73,12 +74,18 @@ def make_files(exercises: dict[str, Exercise]) -> dict[Path, bytes]:
     """Return every derived file with its content."""
     files = {}
     words = {}
+    completed = {}
     for name, exercise in exercises.items():
         table = exercise.freeze()
         words[name], files[TABLES / f"{name}.npz"] = make_table(table, exercise.example)
         head = f'"""Starter of the exercise {name}.\n\n{NOTE}\n"""\n\n'
         files[STARTERS / f"{name}.py"] = (head + make_starter(exercise)).encode()
+        if twin := exercise.completion:
+            table = twin.freeze(exercise)
+            own, files[TABLES / f"{twin.name}.npz"] = make_table(table, twin.example)
+            completed[twin.name] = completions.add_words(own, table)
     files[TABLES / WORDS] = (json.dumps(words, indent=1) + "\n").encode()
+    files[TABLES / COMPLETIONS] = (json.dumps(completed, indent=1) + "\n").encode()
     for chapter in list_taught():
         for page, fill in ((chapter.exercises, fill_page), (chapter.page, fill_chapter)):
             path = Path(page).with_suffix(".md")
