@@ -9,7 +9,9 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from tools.derive import completions
+from content.chapters import REQUIRED
+from content.open_tasks import load_open_task
+from tools.derive import completions, open_tasks
 from tools.derive.starters import make_starter
 
 if TYPE_CHECKING:
@@ -155,6 +157,9 @@ def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) ->
             f"example {one.name}": make_example(one),
             f"exercise {one.name}": make_exercise(one),
         }
+    if chapter.kind == REQUIRED:
+        task = load_open_task(chapter.stem)
+        parts["open task"] = open_tasks.make_open_task(task, chapter)
     labels = HEADING.findall(text)
     due = [get_label(one.name).removeprefix("exercise-") for one in chosen]
     if labels != due:
