@@ -109,4 +109,3 @@ def _fit_normal(points: np.ndarray) -> np.ndarray:
     """Return the direction in which a plane of points is thinnest."""
     _, _, axes = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)
     return np.asarray(axes[2])
-

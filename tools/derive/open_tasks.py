@@ -27,6 +27,7 @@ has many good answers, and somebody has to read yours.*
 
 {task.task}
 
+Work in the cells of [{chapter.name.lower()}](../{chapter.page}.md), or in a notebook of your own. \
 Hand in three things:
 
 - **A figure:** {task.figure}.

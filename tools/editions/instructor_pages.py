@@ -29,6 +29,7 @@ from tools import ROOT
 from tools.derive.contract import make_tables as make_contract_tables
 from tools.editions.card_code import find_called, is_answered_by_library
 from tools.editions.mistakes import SEEDS, Measured, measure
+from tools.editions.objectives_page import make_objectives_page
 from tools.editions.open_task_section import draw_figures, make_section
 
 if TYPE_CHECKING:
@@ -97,6 +98,7 @@ def make_pages(root: Path) -> dict[Path, str]:
         pages[PAGES / f"{chapter.id}.md"] = make_chapter(
             chapter, exercises, minutes[chapter.id], read_notes(root, chapter)
         )
+    pages[PAGES / "objectives.md"] = make_objectives_page(MADE_BY)
     pages[PAGES / "checks.md"] = make_checks(root)
     pages[PAGES / "contract.md"] = make_contract_page()
     return pages
