@@ -1,8 +1,9 @@
-"""The learning objectives: where each is taught, practiced and asked.
+"""The learning objectives: where each is taught and asked, and which exercises practice it.
 
 The objectives themselves stand in the chapters, as lines such as ``- **3a.** convert ...``;
 ``exercises/objectives.yml`` adds the sections, ``exercises/concepts`` the questions. Who reads the
-book says which exercises practice what.
+book says which exercises practice what. Whether each is worked and practiced, too:
+`content.coverage`.
 """
 
 from __future__ import annotations
@@ -109,7 +110,6 @@ def find_problems(book: Book) -> list[str]:
     for name in book.mapped:
         has = {
             "section": name in book.sections,
-            "exercise": book.get_exercises(name),
             "question": book.get_questions(name),
         }
         problems += [f"objective {name} has no {part}" for part, there in has.items() if not there]

@@ -8,6 +8,7 @@ page, named like it, with an item for each box. Texts are MyST markdown of one p
 
     - id: stale               # the box has the name predict-stale; unique in the book
       until: mj_forward c     # optional: how the first part left open begins, see below
+      objective: 1c           # optional: of the same page, which it practices
       right: 2                # the right choice of the box, counted from 1
       said:                   # one for each choice of the box
         - The positions are computed when ...
@@ -68,6 +69,7 @@ class Prediction:
     right: int | None
     number: Number | None
     until: str | None
+    objective: str | None = None
 
     @property
     def name(self) -> str:
@@ -127,7 +129,7 @@ def _read_item(page: str, place: int, entry: Any) -> Prediction:
             if is_number
             else {"id": str, "right": int, "said": list}
         ),
-        optional={"until": str, "unit": str} if is_number else {"until": str},
+        optional={"until": str, "objective": str} | ({"unit": str} if is_number else {}),
         error=PredictionError,
     )
     if not ITEM_ID.fullmatch(fields["id"]):
@@ -151,7 +153,9 @@ def _read_item(page: str, place: int, entry: Any) -> Prediction:
             )
     if len(set(said.values())) < len(said):
         raise PredictionError(f"{where}: two answers are told the same")
-    return Prediction(page, fields["id"], said, right, number, fields.get("until"))
+    return Prediction(
+        page, fields["id"], said, right, number, fields.get("until"), fields.get("objective")
+    )
 
 
 def _read_choices(where: str, said: list[Any], right: int) -> tuple[dict[str, str], int]:

@@ -9,8 +9,10 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from content.chapters import REQUIRED
+from content.open_tasks import load_open_task
 from content.page_minutes import fill_card
-from tools.derive import completions
+from tools.derive import completions, open_tasks
 from tools.derive.exercise_cards import (
     get_label,
     make_card,
@@ -101,6 +103,9 @@ def fill_page(text: str, exercises: Mapping[str, Exercise], chapter: Chapter) ->
             f"example {one.name}": make_example(one),
             f"exercise {one.name}": make_exercise(one),
         }
+    if chapter.kind == REQUIRED:
+        task = load_open_task(chapter.stem)
+        parts["open task"] = open_tasks.make_open_task(task, chapter)
     labels = HEADING.findall(text)
     due = [get_label(one.name) for one in chosen]
     if labels != due:

@@ -24,12 +24,15 @@ from labutils.checks.explain import FAMILIES
 from labutils.checks.kinds import KINDS
 from labutils.checks.table import Raised
 from solutions import QUALITY_POINTS, load_exercises
+from solutions._open_answers import load_marked_tasks
 from tools import ROOT
 from tools.derive.contract import make_tables as make_contract_tables
 from tools.derive.difficulty import rate_exercise
 from tools.derive.path_tables import make_formula
 from tools.editions.card_code import find_called, is_answered_by_library
 from tools.editions.mistakes import SEEDS, Measured, measure
+from tools.editions.objectives_page import make_objectives_page
+from tools.editions.open_task_section import draw_figures, make_section
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -57,6 +60,7 @@ def write_pages(root: Path = ROOT) -> str:
     files[EDITION / "_toc.yml"] = yaml.safe_dump(toc, sort_keys=False)
     config = make_config(yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8")))
     files[EDITION / "_config.yml"] = yaml.safe_dump(config, sort_keys=False)
+    draw_figures(root / PAGES, {one.stem: one for one in list_taught(root)})
     written = 0
     for path, text in files.items():
         target = root / path
@@ -96,6 +100,7 @@ def make_pages(root: Path) -> dict[Path, str]:
         pages[PAGES / f"{chapter.id}.md"] = make_chapter(
             chapter, exercises, minutes[chapter.id], read_notes(root, chapter)
         )
+    pages[PAGES / "objectives.md"] = make_objectives_page(MADE_BY)
     pages[PAGES / "checks.md"] = make_checks(root)
     pages[PAGES / "contract.md"] = make_contract_page()
     return pages
@@ -230,6 +235,8 @@ def make_chapter(chapter: Chapter, exercises: list[Exercise], minutes: Minutes, 
     lab = [one for one in exercises if is_answered_by_library(one)]
     names = ", ".join(f"`{one.name}`" for one in exercises) or "none"
     body = "\n\n".join(make_exercise(one) for one in exercises)
+    if marked := load_marked_tasks().get(chapter.stem):
+        body += f"\n\n{make_section(chapter, marked)}"
     points = f"{sum(one.points for one in lab)} in the lab's rubric"
     if chapter.is_extension:
         points = "none: an extension of the lab"

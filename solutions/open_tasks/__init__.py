@@ -1,0 +1,1 @@
+"""The example answers to the open tasks, one file for each step: the code that measured them."""
