@@ -17,6 +17,7 @@ import labutils
 from labutils.checks import check, hint, judge_answers
 from labutils.checks.links import name_link
 from labutils.checks.table import Outcome, load_table
+from labutils.checks.verdict import Verdict
 
 LAST_WORDS = "These are the visible cases: hidden cases decide the grade."
 
@@ -345,3 +346,13 @@ def test_picture_of_a_cloud_with_other_points_is_drawn() -> None:
 def test_library_exports_what_pages_use() -> None:
     assert {"check", "hint", "report"} <= set(labutils.__all__)
     assert replace(check("process_depth", right_depth), result="failed").passed is False
+
+
+def test_a_starter_that_nobody_has_touched_has_the_color_of_no_mistake() -> None:
+    missed = Verdict("process_depth", "failed", paragraphs=("Not right.",))
+    untouched = replace(missed, counted=False)
+    assert "#D55E00" in missed._repr_html_()
+    assert "#D55E00" not in untouched._repr_html_()
+    assert 'data-begun="false"' in untouched._repr_html_()
+    assert "data-begun" not in missed._repr_html_()
+    assert untouched.headline == missed.headline
