@@ -11,8 +11,8 @@ ANSWER = """\
 import numpy as np
 
 
-def intrinsics_matrix(fovy_deg, width, height):
-    f = height / 2 / np.tan(np.deg2rad(fovy_deg) / 2)
+def intrinsics_matrix(fov_y, width, height):
+    f = height / 2 / np.tan(fov_y / 2)
     return np.array([[f, 0, (width - 1) / 2], [0, f, (height - 1) / 2], [0, 0, 1]])
 """
 
