@@ -39,6 +39,10 @@ BLOCK = re.compile(r"^(`{3,})[^\n]*\n.*?^\1$", re.DOTALL | re.MULTILINE)
 UNREAD = re.compile(r"^:\w+:.*$|^:{3,}.*$|^\([\w-]+\)=$", re.MULTILINE)
 # what is written by a tool: minutes must not depend on themselves
 MARKED = re.compile(r"<!-- begin ([\w ]+) -->\n.*?<!-- end \1 -->\n", re.DOTALL)
+# folded on the page: who follows the path does not open it; "# " begins a comment in a cell
+CURIOUS = re.compile(
+    r"^(##+) For the curious.*?(?=^##+ |^\([\w-]+\)=$|\Z)", re.DOTALL | re.MULTILINE
+)
 WORD = re.compile(r"\w[\w'.,-]*")
 CARD_ROW = re.compile(r"^\| (Reading|Doing) \| (?:about \d+ minutes|as long again)", re.MULTILINE)
 
@@ -90,7 +94,7 @@ class Counts:
 def count_page(text: str, root: Path = ROOT) -> Counts:
     """Count what a page holds, in the text of its file."""
     concepts = root / quiz_items.CONCEPTS.relative_to(ROOT)
-    text = FRONT_MATTER.sub("", text)
+    text = CURIOUS.sub("", FRONT_MATTER.sub("", text))
     return Counts(
         words=len(WORD.findall(UNREAD.sub("", BLOCK.sub("", MARKED.sub("", text))))),
         cells=len(CELL.findall(text)),

@@ -26,7 +26,7 @@ def make_path_tables(path: Sequence[Leg], note: str) -> str:
 | Path | Time | What you do |
 |---|---|---|
 | Minimal | {say_hours(minimal)} | Start here, all steps, and the {required} required exercises |
-| Strong | {say_hours(strong)} | the same, {" and ".join(others)}, and the {challenges} challenges |
+| Strong | {say_hours(strong)} | the same, {", ".join(others)}, and the {challenges} challenges |
 
 The minutes on all pages come from one formula:
 
@@ -62,6 +62,6 @@ def make_formula() -> str:
         "Doing": f"{page_minutes.RUN_SECONDS} seconds to run a cell, "
         f"{page_minutes.PREDICTION_MINUTES} minute for a prediction or a question, "
         f"{page_minutes.TASK_MINUTES} minutes for a *Try it*",
-        "Exercise": f"{levels}; its statement is included",
+        "Exercise": f"{levels}; its statement and the twin before it are included",
     }
     return "\n".join(f"| {name} | {text} |" for name, text in rows.items())
