@@ -1,8 +1,9 @@
 """Prepare the exercise cells of a page for Python in the page.
 
-A cell tagged ``exercise`` is followed by its check and by a box that tells how to ask for a hint.
-They are marked, and an empty element is put before them, which ``exercises.js`` fills with an
-editor. Without scripts, or without ``tools/vendor/pack_python.py``, the cells are plain.
+A cell tagged ``exercise`` is followed by its check and by a box that tells how to ask for a hint;
+a completion, which is tagged ``completion`` too, by its check only. They are marked, and an empty
+element is put before them, which ``exercises.js`` fills with an editor. Without scripts, or without
+``tools/vendor/pack_python.py``, the cells are plain.
 """
 
 import re
@@ -13,7 +14,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 
-from labutils.checks.table import load_table, read_words
+from labutils.checks.table import find_words, load_table, read_completions, read_words
 from live_cells import make_json_element, read_manifest
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ CHECK = re.compile(r'check\("(\w+)", (\w+)\)')
 def find_cells(
     tree: nodes.document,
 ) -> Iterator[tuple[nodes.Element, ...]]:
-    """Find every exercise: its cell, the cell of its check, and its hint."""
+    """Find every exercise: its cell, the cell of its check, and its hint, if it has one."""
     for cell in list(tree.findall(nodes.container)):
         if "tag_exercise" in cell["classes"]:
             place = cell.parent.index(cell)
@@ -34,7 +35,7 @@ def find_cells(
                 for node in cell.parent.children[place + 1 :]
                 if not isinstance(node, nodes.comment)
             ]
-            yield cell, *following[:2]
+            yield cell, *following[: 1 if "tag_completion" in cell["classes"] else 2]
 
 
 def mark_cells(app: Sphinx, tree: nodes.document, page: str) -> None:
@@ -42,13 +43,14 @@ def mark_cells(app: Sphinx, tree: nodes.document, page: str) -> None:
     if app.builder.format != "html":
         return
     names = []
-    for cell, check, hint in find_cells(tree):
+    for cell, check, *hints in find_cells(tree):
         name = get_name(check, page)
         names.append(name)
         parent = cell.parent
-        for part, node in (("source", cell), ("check", check), ("hint", hint)):
+        for part, node in (("source", cell), ("check", check), *(("hint", one) for one in hints)):
             node["classes"] += [f"exercise-{part}", f"exercise-{part}-{name}"]
-        mount = f'<div class="exercise" data-exercise="{name}" hidden></div>'
+        kind = " is-completion" if not hints else ""
+        mount = f'<div class="exercise{kind}" data-exercise="{name}" hidden></div>'
         parent.insert(parent.index(cell), nodes.raw("", mount, format="html"))
     if names:
         bar = nodes.raw("", '<div class="exercise-bar" hidden></div>', format="html")
@@ -67,7 +69,8 @@ def get_name(check: nodes.Element, page: str) -> str:
         If what follows an exercise cell is not its check.
     """
     found = CHECK.search(check.astext())
-    if not found or found[1] != found[2] or found[1] not in read_words():
+    known = {*read_words(), *read_completions()}
+    if not found or found[1] != found[2] or found[1] not in known:
         raise ExtensionError(
             f'{page}: expected check("name", name) after a cell tagged exercise, '
             f"got {check.astext()[:60]!r}"
@@ -93,12 +96,12 @@ def add_data(
 
 def make_data(tables: dict[str, Any], names: list[str]) -> dict[str, Any]:
     """Choose what the scripts of one page have to know."""
-    words = read_words()
     exercises = {
         name: {
-            "hints": words[name]["hints"],
-            "example": words[name]["example"],
+            "hints": find_words(name)["hints"],
+            "example": find_words(name)["example"],
             "parts": ["simulator"] if load_table(name).needs_mujoco else [],
+            "isCompletion": name in read_completions(),
         }
         for name in names
     }
@@ -116,7 +119,7 @@ def get_titles(app: Sphinx, names: list[str]) -> dict[str, str]:
     domain = cast("StandardDomain", app.env.get_domain("std"))
     titles = {}
     for name in names:
-        words = read_words()[name]
+        words = find_words(name)
         for link in (words["section"], *words["links"].values()):
             label = link.partition("#")[2]
             if label not in domain.anonlabels:

@@ -85,7 +85,10 @@ interface PythonData {
 /** What the build tells the scripts about exercises; see book/_ext/exercise_cells.py. */
 interface ExerciseData {
   tables: Record<string, Asset>;
-  exercises: Record<string, { hints: string[]; parts: string[]; example: string }>;
+  exercises: Record<
+    string,
+    { hints: string[]; parts: string[]; example: string; isCompletion: boolean }
+  >;
   titles: Record<string, string>;
 }
 type Say = (text: string) => void;

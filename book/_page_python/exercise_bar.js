@@ -32,7 +32,8 @@
   }
 
   function build(/** @type {HTMLElement} */ bar) {
-    const names = Object.keys(verdicts.data.exercises);
+    const { exercises } = verdicts.data;
+    const names = Object.keys(exercises).filter((name) => !exercises[name].isCompletion);
     const meter = document.createElement("progress");
     const text = document.createElement("span");
     const status = document.createElement("p");

@@ -18,6 +18,7 @@
         "aria-label": `Buttons of ${name}`,
       });
       const hint = makeButton("Hint", "", actions.hint);
+      hint.hidden = window.cameraLab.verdicts.data.exercises[name].isCompletion;
       this.element.append(this.run, this.check, this.stop, hint, this.reset);
     }
 

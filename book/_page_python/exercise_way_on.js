@@ -7,9 +7,14 @@
   /** Where to go after an exercise: to the next one that is not solved, else to the next page. */
   function makeWayOn(/** @type {string} */ name) {
     const records = progress.load().exercises;
-    const names = Object.keys(data.exercises);
+    // in the order of the page, which the data does not have
+    /** @type {NodeListOf<HTMLElement>} */
+    const mounts = document.querySelectorAll(".exercise[data-exercise]");
+    const names = [...mounts].map((mount) => String(mount.dataset.exercise));
     const later = names.slice(names.indexOf(name) + 1);
-    const next = [...later, ...names].find((one) => !records.get(one)?.passed);
+    const isLeft = (/** @type {string} */ one) =>
+      !data.exercises[one].isCompletion && !records.get(one)?.passed;
+    const next = [...later, ...names].find(isLeft);
     const section = document.querySelector(`[data-exercise="${next}"]`)?.closest("section");
     const page = /** @type {HTMLAnchorElement | null} */ (document.querySelector("a.right-next"));
     const line = make("p", "exercise-on", "Go on: ");

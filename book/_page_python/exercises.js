@@ -63,7 +63,7 @@
       this.shown = make("div", "exercise-shown cell-yours");
       this.tabs = tabs.watch(this);
       this.editor = this.build();
-      for (const cell of [source, check, hint]) cell.classList.add("exercise-replaced");
+      for (const cell of [source, check, hint]) cell?.classList.add("exercise-replaced");
       mount.hidden = false;
       this.restore();
     }

@@ -10,7 +10,7 @@ from labutils.checks.judging import judge
 from labutils.checks.links import find_link
 from labutils.checks.progress import Progress, load_progress, save_progress
 from labutils.checks.progress_rules import MAX_HINTS
-from labutils.checks.table import COMPLETIONS, TableError, load_table, read_words
+from labutils.checks.table import TableError, load_table, read_completions, read_words
 from labutils.checks.verdict import NOT_YOURS, Verdict
 
 
@@ -37,7 +37,7 @@ def check(name: str, function: object = None) -> Verdict:
         If there is no exercise of that name.
     """
     try:
-        if name not in read_words(file=COMPLETIONS):
+        if name not in read_completions():
             _read_exercise(name)
         verdict = judge(load_table(name), function)
     except TableError as error:
@@ -112,7 +112,7 @@ def hint(name: str) -> Hint:
     ValueError
         If there is no exercise of that name.
     """
-    if (completion := read_words(file=COMPLETIONS).get(name)) is not None:
+    if (completion := read_completions().get(name)) is not None:
         link = find_link(completion["section"])
         return Hint(f"A completion has no hints. Its worked example shows every call: {link}")
     hints = _read_exercise(name)["hints"]

@@ -177,10 +177,20 @@ class TableError(Exception):
 
 
 @cache
-def read_words(folder: Path = TABLES, file: str = WORDS) -> dict[str, Any]:
-    """Read the words of all exercises, or of all completions, in the order of the book."""
+def read_words(folder: Path = TABLES) -> dict[str, Any]:
+    """Read the words of all exercises, in the order of the book."""
+    return _read_json(folder / WORDS)
+
+
+@cache
+def read_completions(folder: Path = TABLES) -> dict[str, Any]:
+    """Read the words of all completions, in the order of the book."""
+    return _read_json(folder / COMPLETIONS)
+
+
+def _read_json(path: Path) -> dict[str, Any]:
     try:
-        words = json.loads((folder / file).read_text(encoding="utf-8"))
+        words = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise TableError(f"the check tables cannot be read ({error})") from error
     return dict(words)
@@ -189,7 +199,7 @@ def read_words(folder: Path = TABLES, file: str = WORDS) -> dict[str, Any]:
 def find_words(name: str, folder: Path = TABLES) -> dict[str, Any]:
     """Return the words of an exercise or completion; raise KeyError where there is none."""
     known = read_words(folder)
-    return dict(known[name] if name in known else read_words(folder, COMPLETIONS)[name])
+    return dict(known[name] if name in known else read_completions(folder)[name])
 
 
 @cache

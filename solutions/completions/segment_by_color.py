@@ -20,7 +20,8 @@ def find_either_color(rgb_image: np.ndarray, first: Any, second: Any) -> np.ndar
     rgb_image : ndarray, uint8, shape (H, W, 3)
         The picture, RGB.
     first, second : ((h, s, v), (h, s, v))
-        Low and high limits, which belong to the range. None wraps.
+        Low and high limits, which belong to the range. Neither
+        range wraps through red.
 
     Returns
     -------
@@ -45,8 +46,8 @@ def _choose(cases: tuple[Case, ...]) -> tuple[Case, ...]:
 COMPLETION = Completion(
     title="one of two colors",
     statement="A robot sorts green and blue things into the same box, so it looks for both "
-    "ranges at once, as on the strip of the worked example. This time the picture is a "
-    "photograph, in RGB.",
+    "ranges at once, as on the strip of the worked example. This time it is a whole "
+    "picture, in RGB.",
     section="step4-worked-range",
     twin=find_either_color,
     parts=(Part("mask", "mask", "uint8", atol=0, share=0.001, values=(0, 255)),),

@@ -13,13 +13,14 @@ from docutils.utils import new_document
 from sphinx.errors import ExtensionError
 
 from labutils.checks.progress_rules import MAX_HINTS
-from labutils.checks.table import load_table, read_words
+from labutils.checks.table import load_table, read_completions, read_words
 from tests.book.test_build_config import load
 from tests.helpers.chapters import get_toc_pages
 
 ROOT = Path(__file__).resolve().parents[2]
 HTML = ROOT / "_build" / "html"
 EXERCISES = read_words()
+TWINS = read_completions()
 DATA = re.compile(r'<script type="application/json" id="exercise-data">(.*?)</script>', re.DOTALL)
 
 
@@ -90,6 +91,18 @@ def test_the_parts_of_an_exercise_are_marked(hook: ModuleType) -> None:
     assert "exercise-bar" in tree.children[0].children[0].astext()
 
 
+def test_a_completion_has_no_hint_and_does_not_take_what_follows(hook: ModuleType) -> None:
+    tree = make_tree(("color_heights", "color_heights"))
+    (section,) = list(tree.findall(nodes.section))[1:]
+    section.children[0]["classes"].append("tag_completion")
+    hook.mark_cells(make_app(), tree, "exercises/page")
+    mount, cell, check, _, following = section.children
+    assert 'class="exercise is-completion" data-exercise="color_heights"' in mount.astext()
+    assert "exercise-source-color_heights" in cell["classes"]
+    assert "exercise-check-color_heights" in check["classes"]
+    assert following["classes"] == ["dropdown"]
+
+
 def test_a_page_without_exercises_stays_as_it_is(hook: ModuleType) -> None:
     tree = make_tree()
     hook.mark_cells(make_app(), tree, "book/page")
@@ -126,13 +139,13 @@ def test_every_exercise_has_an_editor(pages: dict[str, str]) -> None:
         for page in pages.values()
         for name in re.findall(r'data-exercise="(\w+)" hidden', page)
     ]
-    assert sorted(mounted) == sorted(EXERCISES)
+    assert sorted(mounted) == sorted([*EXERCISES, *TWINS])
 
 
 def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None:
     parts = r"<[^>]*\bexercise-(?:source|check|hint)-[^>]*>"
     text = "".join(re.sub(r"<[^<>]*>", "", page) for page in pages.values())
-    for name in EXERCISES:
+    for name in (*EXERCISES, *TWINS):
         assert f"def {name}(" in text
         assert f'check("{name}", {name})' in text
     for page in pages.values():
@@ -143,14 +156,16 @@ def test_without_scripts_the_exercise_can_be_read(pages: dict[str, str]) -> None
 
 def test_pages_know_hints_tables_and_titles(data: dict[str, Any]) -> None:
     names = [name for page in data.values() for name in page["exercises"]]
-    assert sorted(names) == sorted(EXERCISES)
+    assert sorted(names) == sorted([*EXERCISES, *TWINS])
     for page in data.values():
         assert sorted(page["tables"]) == sorted(page["exercises"])
         for name, known in page["exercises"].items():
-            assert known["hints"] == EXERCISES[name]["hints"]
-            assert len(known["hints"]) == MAX_HINTS
+            words = (TWINS if name in TWINS else EXERCISES)[name]
+            assert known["isCompletion"] == (name in TWINS)
+            assert known["hints"] == words["hints"]
+            assert len(known["hints"]) == (0 if name in TWINS else MAX_HINTS)
             assert ("simulator" in known["parts"]) == load_table(name).needs_mujoco
-            assert page["titles"][EXERCISES[name]["section"]]
+            assert page["titles"][words["section"]]
 
 
 def test_links_of_verdicts_lead_to_a_place(data: dict[str, Any]) -> None:

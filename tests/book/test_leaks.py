@@ -4,6 +4,7 @@ import ast
 import inspect
 import io
 import os
+import re
 import subprocess
 import sys
 import zipfile
@@ -29,6 +30,7 @@ from tests.helpers.leaks import (
     read_document,
     read_documents,
 )
+from tools.derive.completions import make_starter
 from tools.editions.student import make_files, pack
 
 HTML = ROOT / "_build" / "html"
@@ -186,6 +188,17 @@ def test_a_planted_example_answer_is_found(tmp_path: Path, page: str) -> None:
     told = " ".join(find_leaks(secrets, read_documents(tmp_path)))
     assert "strong (" in told
     assert " lines)" in told
+
+
+@pytest.mark.parametrize("card", [one for one in load_exercises().values() if one.completion])
+def test_a_planted_line_of_a_completion_is_found(card: Exercise, secrets: list[Secret]) -> None:
+    assert card.completion is not None
+    marked = card.completion.write_with()
+    for code in (marked, re.sub(r"  # open: .*", "", marked)):
+        found = find_leaks(secrets, read_document("page.ipynb", make_notebook(code)))
+        assert [line for line in found if f"{card.name}: completion" in line]
+    starter = make_starter(card.completion)
+    assert find_leaks(secrets, read_document("page.ipynb", make_notebook(starter))) == []
 
 
 def test_a_common_line_alone_is_no_leak(challenge_secrets: list[Secret]) -> None:

@@ -13,7 +13,7 @@ from tests.helpers.chapters import ROOT, find_orphans, find_pages, get_toc_pages
 
 CHAPTERS = list_taught()
 EXERCISES = [page for page in get_toc_pages() if page.parts[0] == "exercises"]
-STARTER = r"^```\{code-cell\}[^\n]*\n:tags: \[exercise\]\n.*?^```$"
+STARTER = r"^```\{code-cell\}[^\n]*\n:tags: \[exercise(?:, completion)?\]\n.*?^```$"
 PAGES = find_pages()
 NO_ALT = "expected an alt text of 20 characters and more that says the finding"
 MAX_LINES, MAX_CELL = 350, 8
@@ -89,10 +89,28 @@ def test_chapters_have_the_sections_of_the_anatomy_in_order(chapter: Chapter) ->
         "New words",
         "Further reading",
     ]
+    if any(one.points for one in load_exercises().values() if one.chapter == chapter.id):
+        fixed.insert(fixed.index("Exercises"), "Worked examples")
     found = [h for h in headings if h in fixed]
     assert found == fixed, f"expected the sections {fixed}, in this order, got {found}"
     ideas = [h for h in headings if h not in fixed]
     assert 1 <= len(ideas) <= 3, f"expected 1 to 3 sections of its own, one per idea, got {ideas}"
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
+def test_every_exercise_with_points_has_a_worked_example_of_its_own(chapter: Chapter) -> None:
+    _, _, tail = read(chapter.page).partition("\n## Worked examples\n")
+    section, _, _ = tail.partition("\n## ")
+    due = [
+        card.completion.section if card.completion else f"a completion of {card.name}"
+        for card in load_exercises().values()
+        if card.chapter == chapter.id and card.points
+    ]
+    assert re.findall(r"^\((.+)\)=\n### ", section, re.MULTILINE) == due
+    for example in re.split(r"^\(.+\)=\n", section, flags=re.MULTILINE)[1:]:
+        cells = example.count("```{code-cell}")
+        assert 1 <= cells <= 3, f"expected one to three cells, got {cells}: {example[:60]}"
+        assert "nbval-check-output" in example or "mystnb" in example, example[:60]
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda one: one.id)
@@ -147,12 +165,13 @@ def test_chapters_ask_before_they_show_and_check_against_the_truth(chapter: Chap
 @pytest.mark.parametrize("page", PAGES, ids=str)
 def test_pages_and_their_cells_stay_short(page: Path) -> None:
     # Starters are written by a tool, and an explorer comes with its question, its task and a cell
-    # that uses it. Front matter, alt texts and captions do not count either:
-    # nobody should save on those.
+    # that uses it, a worked example with its cells. Front matter, alt texts and captions do not
+    # count either: nobody should save on those.
     text = re.sub(STARTER, "", read(page), flags=re.DOTALL | re.MULTILINE)
     seen = re.sub(r"^---\n.*?^---\n", "", text, flags=re.DOTALL | re.MULTILINE)
     count = len(seen.splitlines())
     limit = MAX_LINES + 40 * text.count("\nfrom labutils.explorers import ")
+    limit += 35 * len(re.findall(r"^\(step\d-worked", text, re.MULTILINE))
     assert count <= limit, f"expected a page of at most {limit} lines, got {count}"
     for cell in re.findall(r"^```\{code-cell\}.*?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         code = re.sub(r"\A---\n.*?^---\n", "", cell, flags=re.DOTALL | re.MULTILINE)

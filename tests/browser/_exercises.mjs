@@ -55,6 +55,10 @@ export function waitUntilItRuns(page, name) {
 }
 
 /** Names of the exercises that have an editor. */
-export function listExercises(page) {
-  return page.$$eval(".exercise[data-exercise]", (all) => all.map((e) => e.dataset.exercise));
-}
+export const listExercises = (page) => listNames(page, ".exercise:not(.is-completion)");
+
+/** Names of the completions, which come before their exercises. */
+export const listCompletions = (page) => listNames(page, ".exercise.is-completion");
+
+const listNames = (page, wanted) =>
+  page.$$eval(`${wanted}[data-exercise]`, (all) => all.map((e) => e.dataset.exercise));

@@ -14,7 +14,7 @@ import pytest
 
 from labutils import hint
 from labutils.checks.progress import Progress, Record, load_progress, save_progress
-from labutils.checks.table import read_words
+from labutils.checks.table import read_completions, read_words
 from tests.checks.test_progress_rules import FAULTS, FILES
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -227,8 +227,10 @@ def test_everybody_can_use_it(used: dict[str, Any]) -> None:
 
 def test_without_scripts_the_page_is_plain(limited: dict[str, Any]) -> None:
     exercises = [one for one in read_words().values() if one["chapter"] == "3"]
-    count = len(exercises)
-    assert limited["scriptless"] == {"sources": count, "checks": count, "hints": count, "ours": 0}
+    completions = [one for one in read_completions().values() if one["chapter"] == "3"]
+    hints = len(exercises)
+    count = hints + len(completions)
+    assert limited["scriptless"] == {"sources": count, "checks": count, "hints": hints, "ours": 0}
 
 
 def test_without_storage_it_works_and_says_that_nothing_is_kept(limited: dict[str, Any]) -> None:

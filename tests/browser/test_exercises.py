@@ -17,10 +17,14 @@ from content.chapters import REGISTRY, get_chapter, load_chapters
 from labutils.checks import judge
 from labutils.checks.table import load_table
 from solutions import load_exercises
+from solutions._completion import Completion, Slip
+from tools.derive.completions import make_starter
+from tools.derive.exercise_pages import get_label
 
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = {card.chapter for card in load_exercises().values()}
 CARDS = load_exercises()
+COMPLETIONS = {card.name: card.completion for card in CARDS.values() if card.completion is not None}
 
 # "import mujoco" is also what makes the page load the simulator, which some cards need.
 SETUP = """
@@ -43,8 +47,8 @@ from solutions import load_exercises
 def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in sorted((ROOT / "solutions").glob("*.py")):
-            archive.write(path, f"solutions/{path.name}")
+        for path in sorted((ROOT / "solutions").rglob("*.py")):
+            archive.write(path, path.relative_to(ROOT).as_posix())
         # a card asks the registry for its chapter, and the pages for its labels
         for path in sorted((ROOT / "content").glob("*.py")):
             archive.write(path, f"content/{path.name}")
@@ -60,10 +64,26 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> Path:
         }
         for name, card in CARDS.items()
     }
+    completions = {
+        one.name: {
+            "starter": make_starter(one),
+            "whole": write_code(one),
+            "wrong": write_code(one, one.slips[0]),
+        }
+        for one in COMPLETIONS.values()
+    }
     cards = base64.b64encode(buffer.getvalue()).decode()
     path = tmp_path_factory.mktemp("plan") / "plan.json"
-    path.write_text(json.dumps({"setup": SETUP.format(cards=cards), "exercises": exercises}))
+    setup = SETUP.format(cards=cards)
+    content = {"setup": setup, "exercises": exercises, "completions": completions}
+    path.write_text(json.dumps(content))
     return path
+
+
+def write_code(completion: Completion, *slips: Slip) -> str:
+    """Write the code of somebody who has completed it; their annotations need no imports."""
+    head = "from __future__ import annotations\n"
+    return "\n".join([head, *completion.imports, completion.write_with(*slips)])
 
 
 #: The pages that run in `make test`: those that need the simulator, and answers of most kinds.
@@ -112,6 +132,27 @@ def test_every_exercise_of_the_page_is_checked_as_in_the_notebook(
         assert f"Recognized: {mistake.text}" in said["wrong"]["text"], name
         # "Read again" carries the heading, not the address
         assert ".html" not in said["wrong"]["text"]
+
+
+def test_a_completion_is_solved_on_the_page_and_counts_for_nothing(
+    used: tuple[str, dict[str, Any]],
+) -> None:
+    chapter, done = used
+    due = {name: one for name, one in COMPLETIONS.items() if CARDS[name].chapter == chapter}
+    assert list(done["completed"]) == [one.name for one in due.values()]
+    text = (ROOT / page_of(chapter)).with_suffix(".md").read_text(encoding="utf-8")
+    for name, completion in due.items():
+        said = done["completed"][completion.name]
+        for part in ("starter", "half", "wrong"):
+            assert said[part]["result"] == "failed", (name, part)
+        assert "Not started yet." in said["starter"]["text"]
+        assert f"Recognized: {completion.slips[0].text}" in said["wrong"]["text"]
+        assert said["whole"]["result"] == "passed", (name, said["whole"])
+        assert "Hint" not in said["buttons"]
+        # the exercise comes next
+        assert f"({get_label(name)})=\n## {said['next']}\n" in text
+        before, after = said["solved"]
+        assert before == after, "a completion was counted as an exercise"
 
 
 def test_a_wrong_answer_shows_the_picture_that_the_notebook_shows(

@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 
 from labutils.checks import judge
-from labutils.checks.begun import is_begun
+from labutils.checks.begun import count_open_lines, is_begun
 from labutils.checks.exceptions import explain
 from labutils.checks.table import load_table
 from labutils.checks.verdict import Verdict
@@ -121,3 +121,24 @@ def test_mixed_tabs_are_named_whatever_python_calls_them(code: str) -> None:
     with pytest.raises(IndentationError) as caught:
         compile(code, name, "exec")
     assert explain(caught.value, name).startswith("Tabs and spaces are mixed")
+
+
+@pytest.mark.parametrize(
+    ("body", "count"),
+    [
+        ("a = ...", 1),
+        ("a, b = ...\n    c = ...\n    return a", 2),
+        ("for one in depth_raw:\n        near = ...\n    return lambda: near", 1),
+        ("a = depth_raw[..., near]\n    return a[..., 0]", 0),
+        ("return ...", 0),
+        ("...", 0),
+        ("return depth_raw", 0),
+    ],
+)
+def test_values_that_are_still_open_are_counted(body: str, count: int) -> None:
+    assert count_open_lines(make_function(body)) == count
+
+
+def test_what_has_no_code_of_its_own_has_no_open_line() -> None:
+    assert count_open_lines(abs) == 0
+    assert count_open_lines(None) == 0

@@ -27,7 +27,9 @@ TASK: dict[str, Any] = {
 
 
 def write(folder: Path, entry: Any) -> None:
-    (folder / "step4_color.yml").write_text(yaml.safe_dump(entry, sort_keys=False), encoding="utf-8")
+    (folder / "step4_color.yml").write_text(
+        yaml.safe_dump(entry, sort_keys=False), encoding="utf-8"
+    )
 
 
 def test_every_step_of_the_lab_has_one_that_fits_into_an_afternoon() -> None:

@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any
 
 from solutions import Exercise
+from solutions._completion import find_open_lines
 from solutions._open_answers import Marked
 from tools.editions.card_code import find_called, is_answered_by_library
 
@@ -76,10 +77,32 @@ def read_library() -> str:
 
 def get_lines(function: Callable[..., Any]) -> tuple[str, ...]:
     """Return the distinctive lines of a function: its body, without docstring and comments."""
+    chosen = [
+        line
+        for line in read_lines(function)
+        if len(line) >= MIN_LINE and line not in read_library()
+    ]
+    return tuple(dict.fromkeys(chosen))
+
+
+def get_completed_lines(function: Callable[..., Any]) -> tuple[str, ...]:
+    """Return the open lines of a twin that assign, each with the line that follows, and as marked.
+
+    Together they are nobody else's, although a line alone may stand in a chapter.
+    """
+    lines = read_lines(function)
+    found = [one for one in find_open_lines(function) if one.target]
+    places = [lines.index(squeeze(one.code)) for one in found]
+    marked = [squeeze(f"{one.code}  # open: {one.asks}") for one in found]
+    return (*(lines[place] + lines[place + 1] for place in places), *marked)
+
+
+def read_lines(function: Callable[..., Any]) -> list[str]:
+    """Read the body of a function line by line, squeezed, without docstring and comments."""
     source = textwrap.dedent(inspect.getsource(function))
     tree = ast.parse(source).body[0]
     if not isinstance(tree, ast.FunctionDef):  # a lambda: what it calls has lines of its own
-        return ()
+        return []
     docstring = tree.body[0] if ast.get_docstring(tree) is not None else None
     first = (docstring.end_lineno if docstring else tree.body[0].lineno - 1) or 0
     lines, current = [], ""
@@ -91,8 +114,7 @@ def get_lines(function: Callable[..., Any]) -> tuple[str, ...]:
             current = ""
         elif token.type not in (tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER):
             current += token.string
-    chosen = [line for line in lines if len(line) >= MIN_LINE and line not in read_library()]
-    return tuple(dict.fromkeys(chosen))
+    return lines
 
 
 def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -> list[Secret]:
@@ -106,6 +128,10 @@ def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -
             origin = f"{exercise.name}: {function.__name__}"
             secrets.append(Secret(origin, lines=get_lines(function)))
             secrets.append(Secret(origin, names=get_names(exercise, function)))
+        if exercise.completion:
+            lines = get_completed_lines(exercise.completion.twin)
+            origin = f"{exercise.name}: completion"
+            secrets += [Secret(origin, lines=(one,)) for one in lines]
         said = (exercise.tolerance_reason, *(one.reason for one in exercise.absorbed))
         secrets.append(Secret(f"{exercise.name}: reasons", sentences=get_sentences(said)))
     for path in notes:

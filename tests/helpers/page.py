@@ -38,7 +38,12 @@ def list_functions(path: Path) -> list[str]:
 
 def collect_extras() -> dict[str, bytes]:
     """Collect what the files in the page import or read beside the library."""
-    patterns = ("content/*.py", "content/*.yml", "solutions/*.py", "exercises/_generated/*.py")
+    patterns = (
+        "content/*.py",
+        "content/*.yml",
+        "solutions/**/*.py",
+        "exercises/_generated/*.py",
+    )
     paths = [
         path
         for pattern in (*patterns, "book/*.md", "exercises/*.md")

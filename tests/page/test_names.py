@@ -15,7 +15,7 @@ PLACES = (
     "exercises/*.md",
     "exercises/_generated/*.py",
     "labutils/**/*.py",
-    "solutions/*.py",
+    "solutions/**/*.py",
 )
 USE = re.compile(r"\bmujoco\.((?:mj|Mj|GL|Renderer|Fatal)\w*)(?:\.(\w+))?")
 

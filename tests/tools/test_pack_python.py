@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 
 import pytest
 
-from labutils.checks.table import TABLES, read_words
+from labutils.checks.table import TABLES, read_completions, read_words
 from solutions import load_exercises
 from tests.helpers.leaks import collect_secrets, find_leaks, read_document
 from tools.vendor import (
@@ -188,7 +188,7 @@ def test_packed_library_checks_an_answer_by_itself(wheels: Wheels, tmp_path: Pat
 def test_tables_come_one_by_one(wheels: Wheels) -> None:
     manifest = pack_python.pack(wheels, "1.0")
     folder = pack_python.PACKED / "python"
-    assert sorted(manifest["tables"]) == sorted(read_words())
+    assert sorted(manifest["tables"]) == sorted([*read_words(), *read_completions()])
     for name, asset in manifest["tables"].items():
         tables = ROOT / "labutils" / "checks" / "tables"
         assert unpack(folder, asset) == (tables / f"{name}.npz").read_bytes()

@@ -50,8 +50,8 @@ def make_part(exercise: Exercise, completion: Completion) -> str:
 
 {completion.statement}
 
-*A twin of {{ref}}`{exercise.name} <{exercise_label}>`, two lines of which are missing. No points; \
-worked in {{ref}}`{completion.section}`.*
+*No points. A twin of {{ref}}`{exercise.name} <{exercise_label}>`, with two lines missing. Worked \
+example: {{ref}}`{completion.section}`*
 
 ```{{code-cell}} ipython3
 :tags: [exercise, completion]

@@ -266,7 +266,7 @@ back to {{ref}}`{exercise.section}`. Tolerance: {exercise.tolerance_reason}.
 ```
 :::
 
-### Mistakes in `{exercise.name}`
+{make_completion(exercise)}### Mistakes in `{exercise.name}`
 
 {chr(10).join(make_mistake(exercise, one) for one in measured)}
 
@@ -279,6 +279,30 @@ Hints a learner may ask for:
 ### Points of `{exercise.name}`
 
 {make_cases(exercise)}"""
+
+
+def make_completion(exercise: Exercise) -> str:
+    """Return the whole twin that learners complete before the exercise, and its slips."""
+    completion = exercise.completion
+    if completion is None:
+        return ""
+    slips = "\n".join(f"- `{one.line}`: {one.text}" for one in completion.slips)
+    return f"""### Completion before `{exercise.name}`
+
+Learners get this twin without the lines marked `open`, and without points.
+
+:::{{admonition}} Show the code
+:class: dropdown
+```python
+{get_source(completion.twin)}
+```
+:::
+
+What the check recognizes in these lines:
+
+{slips}
+
+"""
 
 
 def get_source(function: Callable[..., Any]) -> str:

@@ -23,7 +23,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from labutils.checks.table import TABLES, read_words
+from labutils.checks.table import TABLES, read_completions, read_words
 from tools import ROOT
 from tools.derive import page_mujoco
 from tools.stable_zip import make_zip
@@ -41,7 +41,7 @@ LIBRARY = (
     "labutils/_drawing/*.py",
     "labutils/checks/*.py",
     "labutils/checks/*/*.py",
-    "labutils/checks/tables/exercises.json",
+    "labutils/checks/tables/*.json",
     "labutils/renderers/*.py",
 )
 #: What the library imports besides; in Python alone, so taken as it is installed.
@@ -115,7 +115,7 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
         parts[part] = [write_asset(folder, *one) for one in sorted(contents.items())]
     tables = {
         name: write_asset(folder, f"tables/{name}.npz", (TABLES / f"{name}.npz").read_bytes())
-        for name in read_words()
+        for name in (*read_words(), *read_completions())
     }
     scripts = (path for path in sorted(SCRIPTS.glob("*.js")) if path.name != WORKER)
     page_python.minify_scripts(scripts, folder)
