@@ -230,7 +230,14 @@ def test_an_empty_cell_is_named(row: Row, gaps: list[str]) -> None:
         (lambda _: {"worked": {"9z": "step1-pan"}}, "worked: 9z is no objective"),
         (lambda _: {"tried": {"9z": []}}, "tried: 9z is no objective"),
         (lambda _: {"worked": {"1d": "step3-raw"}}, "worked: 1d: no section step3-raw is on step1"),
-        (lambda _: {"worked": {"1d": "page-step1"}}, "expected a cell in the section page-step1"),
+        (
+            lambda _: {
+                "worked": {"1d": "step1-pan"},
+                "tried": {},
+                "pages": {"step1_camera": "(step1-pan)=\n## Words only\n(step1-cameras)=\n"},
+            },
+            "worked: 1d: expected a cell in the section step1-pan",
+        ),
         (lambda _: {"tried": {"1d": ["try-a"]}}, "nothing on step1_camera has the name try-a"),
         # the beginning of a name is no name
         (lambda _: {"tried": {"1d": ["fig-step1"]}}, "nothing on step1_camera has the name fig-"),
