@@ -112,7 +112,7 @@ def _link(kind: str, names: Iterable[str], prefix: str, drop: str = "") -> list[
 
 
 def _join(parts: Iterable[str]) -> str:
-    return ", ".join(parts)
+    return ", ".join(parts) or "none"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
