@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 FIGURES = Path("open_tasks")  # below the pages
 
-NAMES = {"strong": "A strong answer", "typical": "A typical answer, with gaps"}
+NAMES = {"strong": "A strong answer", "typical": "A typical answer with gaps"}
 
 
 def make_section(chapter: Chapter, marked: Marked) -> str:
@@ -57,7 +57,7 @@ def make_answer(chapter: Chapter, answer: Answer) -> str:
         f"| {name} | {one.mark} | {answer.fill(one.because)} |"
         for name, one in answer.marks.items()
     )
-    return f"""### {NAMES[answer.kind]} to the open task of {chapter.name.lower()}
+    return f"""### {NAMES[answer.kind]}, {chapter.name.lower()}
 
 {quoted}
 
