@@ -58,6 +58,7 @@ class Row:
     """What the book does for one objective, by labels and names."""
 
     taught: str = ""
+    is_required: bool = True
     twins: list[str] = field(default_factory=list)
     cells: list[str] = field(default_factory=list)
     predictions: list[str] = field(default_factory=list)
@@ -152,6 +153,7 @@ def make_rows(book: Book, sources: Sources) -> dict[str, Row]:
         completions = _list_keys(sources.completions, name)
         row = rows[name] = Row(
             taught=book.sections.get(name, ""),
+            is_required=name in book.required,
             twins=list(dict.fromkeys(twins[one] for one in completions if one in twins)),
             predictions=_list_keys(sources.predictions, name),
             tried=list(sources.tried.get(name, [])),
@@ -167,10 +169,11 @@ def make_rows(book: Book, sources: Sources) -> dict[str, Row]:
 
 
 def find_gaps(rows: Mapping[str, Row]) -> list[str]:
-    """Say which objective has an empty cell on the required path."""
+    """Say which objective of the lab has an empty cell on the required path."""
     return [
         f"objective {name} {words}"
         for name, row in rows.items()
+        if row.is_required
         for words, there in row.parts.items()
         if not there
     ]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import yaml
 
 from content import ROOT
-from content.chapters import OBJECTIVES, READING, Chapter, load_chapters
+from content.chapters import OBJECTIVES, READING, REQUIRED, Chapter, load_chapters
 from content.labels import read_labels
 from content.quiz_items import Item, load_all
 
@@ -58,6 +58,12 @@ class Book:
         """The objectives of chapters with exercises; those for reading (0a ...) have none."""
         reading = {one.stem for one in self.chapters if one.kind == READING}
         return [name for name, (page, _) in self.objectives.items() if page not in reading]
+
+    @property
+    def required(self) -> list[str]:
+        """The objectives of the chapters of the lab."""
+        lab = {one.stem for one in self.chapters if one.kind == REQUIRED}
+        return [name for name, (page, _) in self.objectives.items() if page in lab]
 
     def get_exercises(self, objective: str) -> list[str]:
         """Name the exercises that practice an objective."""
@@ -108,10 +114,9 @@ def find_problems(book: Book) -> list[str]:
     """Say what hangs in the air, in either direction."""
     problems = _find_problems_of_chapters(book)
     for name in book.mapped:
-        has = {
-            "section": name in book.sections,
-            "question": book.get_questions(name),
-        }
+        has = {"section": name in book.sections, "question": book.get_questions(name)}
+        if name not in book.required:  # of the lab, `content.coverage` asks for more
+            has["exercise"] = book.get_exercises(name)
         problems += [f"objective {name} has no {part}" for part, there in has.items() if not there]
     for name, label in book.sections.items():
         problems += _find_problems_of_section(book, name, label)

@@ -83,7 +83,8 @@ def make_practiced(row: Row) -> str:
     return _join(
         [
             *_link("prediction", row.predictions, "", drop="predict-"),
-            *_link("try it", row.tried, "", drop="try-"),
+            *_link("try it", (one for one in row.tried if not _is_figure(one)), "", drop="try-"),
+            *_link("explorer", filter(_is_figure, row.tried), "", drop="fig-"),
             *_link("completion", row.completions, "completion-"),
             *_link("exercise", row.required, "exercise-"),
             *_link("*challenge*", row.challenges, "exercise-"),
@@ -104,6 +105,10 @@ def make_checked(row: Row) -> str:
     )
 
 
+def _is_figure(name: str) -> bool:
+    return name.startswith("fig-")
+
+
 def _link(kind: str, names: Iterable[str], prefix: str, drop: str = "") -> list[str]:
     return [
         f"{kind} {{ref}}`{one.removeprefix(drop)} <{prefix}{one.replace('_', '-')}>`"
@@ -112,7 +117,7 @@ def _link(kind: str, names: Iterable[str], prefix: str, drop: str = "") -> list[
 
 
 def _join(parts: Iterable[str]) -> str:
-    return ", ".join(parts)
+    return ", ".join(parts) or "none"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

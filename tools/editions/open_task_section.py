@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 FIGURES = Path("open_tasks")  # below the pages
 
-NAMES = {"strong": "A strong answer", "typical": "A typical answer, with gaps"}
+NAMES = {"strong": "A strong answer", "typical": "A typical answer with gaps"}
 
 
 def make_section(chapter: Chapter, marked: Marked) -> str:
@@ -30,8 +30,8 @@ def make_section(chapter: Chapter, marked: Marked) -> str:
     source = inspect.getsource(sys.modules[marked.answers[0].measure.__module__]).strip()
     return f"""## Open task: {task.title}
 
-The task and what is looked at stand at the {{ref}}`end of the exercise page <{get_label(chapter)}>`.
-It is no part of the 100 points. Each criterion earns 0, 1 or 2:
+The task and what is looked at stand {{ref}}`on the exercise page <{get_label(chapter)}>`. It is no
+part of the 100 points. Each criterion earns 0, 1 or 2:
 
 | Criterion | 0 | 1 | 2 |
 |---|---|---|---|
@@ -57,7 +57,7 @@ def make_answer(chapter: Chapter, answer: Answer) -> str:
         f"| {name} | {one.mark} | {answer.fill(one.because)} |"
         for name, one in answer.marks.items()
     )
-    return f"""### {NAMES[answer.kind]} to the open task of {chapter.name.lower()}
+    return f"""### {NAMES[answer.kind]}, {chapter.name.lower()}
 
 {quoted}
 
