@@ -90,7 +90,8 @@ def add_data(
     manifest = read_manifest(app)
     if not names or manifest is None:
         return
-    context["first_exercise"] = f"exercise-{names[0].replace('_', '-')}"
+    first = next(name for name in names if name not in read_completions())
+    context["first_exercise"] = f"exercise-{first.replace('_', '-')}"
     data = make_data(manifest["tables"], names) | {"titles": get_titles(app, names)}
     context["body"] += make_json_element("exercise-data", data)
 

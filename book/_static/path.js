@@ -66,7 +66,7 @@
   function aimSkipLink(/** @type {PathDone} */ done) {
     const link = /** @type {HTMLAnchorElement | null} */ (document.querySelector(".path-skip"));
     /** @type {NodeListOf<HTMLElement>} */
-    const mounts = document.querySelectorAll("[data-exercise]");
+    const mounts = document.querySelectorAll("[data-exercise]:not(.is-completion)");
     const next = [...mounts].find(({ dataset }) => !done.isSolved(String(dataset.exercise)));
     if (link && next)
       link.setAttribute("href", `#exercise-${String(next.dataset.exercise).replaceAll("_", "-")}`);

@@ -29,7 +29,7 @@ OTHER_TEXT = {
     ("book/conventions", 8): "Open3D",
     ("book/conventions", 11): "Open3D",
     ("book/step6_view", 4): "Open3D",
-    ("book/step6_view", 17): "Open3D",
+    ("book/step6_view", 18): "Open3D",
     # it stands between 0.0000 and 0.0001 mm, where the last bits of single precision decide
     ("book/step5_cloud", 11): "the fourth decimal of a median",
 }

@@ -19,7 +19,7 @@ from labutils.checks.table import load_table
 from solutions import load_exercises
 from solutions._completion import Completion, Slip
 from tools.derive.completions import make_starter
-from tools.derive.exercise_pages import get_label
+from tools.derive.exercise_cards import get_label
 
 ROOT = Path(__file__).resolve().parents[2]
 CHAPTERS = {card.chapter for card in load_exercises().values()}
@@ -150,7 +150,7 @@ def test_a_completion_is_solved_on_the_page_and_counts_for_nothing(
         assert said["whole"]["result"] == "passed", (name, said["whole"])
         assert "Hint" not in said["buttons"]
         # the exercise comes next
-        assert f"({get_label(name)})=\n## {said['next']}\n" in text
+        assert f"({get_label(name)})=\n### {said['next']}\n" in text
         before, after = said["solved"]
         assert before == after, "a completion was counted as an exercise"
 
