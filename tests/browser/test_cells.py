@@ -26,11 +26,12 @@ OTHER_TEXT = {
     ("book/conventions", 5): "Open3D",
     ("book/conventions", 6): "Open3D",
     ("book/conventions", 7): "Open3D",
-    ("book/conventions", 10): "Open3D",
+    ("book/conventions", 8): "Open3D",
+    ("book/conventions", 11): "Open3D",
     ("book/step6_view", 4): "Open3D",
-    ("book/step6_view", 14): "Open3D",
+    ("book/step6_view", 17): "Open3D",
     # it stands between 0.0000 and 0.0001 mm, where the last bits of single precision decide
-    ("book/step5_cloud", 10): "the fourth decimal of a median",
+    ("book/step5_cloud", 11): "the fourth decimal of a median",
 }
 
 
