@@ -24,7 +24,6 @@ graphics drivers and versions, and no more.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -36,6 +35,8 @@ from content.fields import check_fields
 from content.open_tasks import OpenTask, check_length, load_open_tasks
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
     from labutils.figures import Picture
 
 ANSWERS = Path(__file__).parent / "open_tasks"

@@ -11,6 +11,13 @@ from solutions._open_answers import Finding
 CAMERA, WIDTH, HEIGHT = "head_camera", 320, 240
 NEAR, FAR = 0.02, 12.0
 LEVELS = 2**16 - 1
+#: Name of a way to store: type, and whether the far plane is at 0.
+WAYS = {
+    "whole": (np.uint16, False),
+    "whole, reversed": (np.uint16, True),
+    "half float": (np.float16, False),
+    "half float, reversed": (np.float16, True),
+}
 
 
 def measure_strong() -> Finding:
@@ -44,22 +51,13 @@ def measure_typical() -> Finding:
     """Move the near plane only."""
     z = _get_true_depths()
     planes = np.array([0.02, 0.05, 0.1, 0.2, 0.5])
-    largest = np.array([_store_and_read(z, near, np.uint16, False).max() for near in planes])
+    largest = np.array([_store_and_read(z, near, *WAYS["whole"]).max() for near in planes])
     return Finding(
         {"whole_mm": float(largest[0]), "half_meter_mm": float(largest[-1])},
         plot_lines(
             planes, {"whole": largest}, x_label="near plane (m)", y_label="largest error (mm)"
         ),
     )
-
-
-#: Name of a way to store: type, and whether the far plane is at 0.
-WAYS = {
-    "whole": (np.uint16, False),
-    "whole, reversed": (np.uint16, True),
-    "half float": (np.float16, False),
-    "half float, reversed": (np.float16, True),
-}
 
 
 def _get_true_depths() -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,9 +48,7 @@ def measure_strong() -> Finding:
     wall = clean & (cloud.bodies == names["wall"]) & (abs(cloud.truth[:, 0] - front) < 1e-3)
     low, high = across[clean].min(), across[clean].max()
     edges = np.linspace(low, high, 15)
-    nearest = [
-        clean & (across >= a) & (across <= b) for a, b in zip(edges, edges[1:], strict=False)
-    ]
+    nearest = [clean & (across >= a) & (across <= b) for a, b in itertools.pairwise(edges)]
     filled = [one for one in nearest if one.any()]  # no surface is at some distances
     up, ahead = _fit_normal(pitched[table]), _fit_normal(pitched[wall])
     return Finding(

@@ -21,6 +21,7 @@ import labutils
 from content.chapters import list_taught
 from labutils.checks.table import Part, Raised
 from solutions import load_exercises
+from solutions._open_answers import load_marked_tasks
 from tests.helpers.chapters import ROOT, get_executable_pages, get_toc_pages
 from tools.build import book as build_book
 from tools.build import memory
@@ -112,6 +113,28 @@ def test_every_card_has_its_section_with_everything_in_it(pages: dict[Path, str]
             float(x) for x in re.findall(r"^\| hidden .* (\d+\.\d+) \|$", section, re.MULTILINE)
         ]
         assert sum(shares) == pytest.approx(exercise.points, abs=0.01 * len(shares))
+
+
+def test_every_step_has_its_open_task_with_two_marked_answers(pages: dict[Path, str]) -> None:
+    for page, marked in load_marked_tasks().items():
+        chapter = next(one for one in list_taught() if one.stem == page)
+        text = pages[make_instructor_pages.PAGES / f"{chapter.id}.md"]
+        section = text.split(f"## Open task: {marked.task.title}\n")[1]
+        for name, levels in marked.levels.items():
+            assert f"| {name} | {' | '.join(levels)} |" in section
+        for answer in marked.answers:
+            assert f"**{answer.total} of 8**" in section
+            assert f"open_tasks/{chapter.id}_{answer.kind}.png" in section
+            for mark in answer.marks.values():
+                assert f"| {mark.mark} | {answer.fill(mark.because)} |" in section
+            assert f"def {answer.measure.__name__}(" in section
+        assert not re.search(r"\{\w+\}(?!`)", section.split(":::")[0]), "a number is not filled in"
+
+
+def test_the_map_of_objectives_is_a_page_of_its_own(pages: dict[Path, str]) -> None:
+    text = pages[make_instructor_pages.PAGES / "objectives.md"]
+    assert "| Objective | Taught | Worked | Practiced | Checked |" in text
+    assert len(re.findall(r"^\| \*\*\d[a-e]\*\* ", text, re.MULTILINE)) == 29
 
 
 def test_every_chapter_has_notes_and_minutes(pages: dict[Path, str]) -> None:

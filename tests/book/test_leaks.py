@@ -1,6 +1,7 @@
 """Nothing that learners get holds a solution, a hidden case, or a note for instructors."""
 
 import ast
+import inspect
 import io
 import os
 import re
@@ -18,9 +19,11 @@ import pytest
 from labutils.checks.table import Part
 from solutions import load_exercises
 from solutions._model import Exercise
+from solutions._open_answers import load_marked_tasks
 from tests.helpers.leaks import (
     ROOT,
     Secret,
+    collect_answer_secrets,
     collect_secrets,
     find_leaks,
     get_lines,
@@ -68,7 +71,8 @@ def challenge() -> Exercise:
 
 @pytest.fixture(scope="module")
 def secrets() -> list[Secret]:
-    return collect_secrets(load_exercises().values(), NOTES)
+    cards = collect_secrets(load_exercises().values(), NOTES)
+    return cards + collect_answer_secrets(load_marked_tasks().values())
 
 
 @pytest.fixture(scope="module")
@@ -168,6 +172,22 @@ def test_planted_notes_and_hidden_cases_of_real_cards_are_found(
     found = find_leaks(secrets, read_documents(tmp_path))
     assert any(line.startswith(f"notes.html: {NOTES[0].name}") for line in found)
     assert any(line.startswith("card.md: process_depth: _hidden") for line in found)
+
+
+@pytest.mark.parametrize("page", load_marked_tasks())
+def test_a_planted_example_answer_is_found(tmp_path: Path, page: str) -> None:
+    marked = load_marked_tasks()[page]
+    secrets = collect_answer_secrets([marked])
+    for answer in marked.answers:
+        (tmp_path / "page.html").write_bytes(make_page(answer.fill(answer.text)))
+        found = find_leaks(secrets, read_documents(tmp_path))
+        assert f"page.html: {page}: {answer.kind} (a sentence for instructors)" in found
+    (tmp_path / "page.html").write_bytes(
+        make_page(Path(inspect.getfile(answer.measure)).read_text())
+    )
+    told = " ".join(find_leaks(secrets, read_documents(tmp_path)))
+    assert "strong (" in told
+    assert " lines)" in told
 
 
 @pytest.mark.parametrize("card", [one for one in load_exercises().values() if one.completion])

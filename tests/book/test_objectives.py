@@ -10,15 +10,30 @@ from typing import Any
 import pytest
 
 from content.chapters import REGISTRY, list_required
+from content.coverage import (
+    Card,
+    CoverageError,
+    Row,
+    Sources,
+    find_gaps,
+    find_unknown,
+    make_rows,
+    read_sources,
+)
 from content.objectives import Book, find_problems
 from content.quiz_items import Choice, Item
 from tools.derive import objectives as make_objectives
-from tools.derive.objectives import make_table, read_book
+from tools.derive.objectives import make_table, read_book, read_cards
 
 
 @pytest.fixture
 def book() -> Book:
     return read_book()
+
+
+@pytest.fixture
+def sources(book: Book) -> Sources:
+    return read_sources(read_cards(), book)
 
 
 def make_item(**changes: Any) -> Item:
@@ -36,7 +51,7 @@ def make_item(**changes: Any) -> Item:
     return Item(**fields | changes)
 
 
-def test_every_objective_has_section_exercise_and_question(book: Book) -> None:
+def test_every_objective_has_section_and_question(book: Book) -> None:
     assert find_problems(book) == []
 
 
@@ -87,13 +102,12 @@ CROWDED = {"6f": ("step6_view", "one too many")}
     [
         (
             lambda b: {"objectives": b.objectives | {"6e": ("step6_view", "new")}},
-            [f"objective 6e has no {part}" for part in ("section", "exercise", "question")],
+            [f"objective 6e has no {part}" for part in ("section", "question")],
         ),
         (
             lambda b: {"objectives": without(b.objectives, "3b")},
             [
                 "section step3-reversed-z is given for 3b, which is no objective",
-                "exercise process_depth practices 3b, which is no objective",
                 "question 3b asks for 3b, which is no objective",
             ],
         ),
@@ -101,7 +115,7 @@ CROWDED = {"6f": ("step6_view", "one too many")}
             lambda b: {"objectives": b.objectives | {"99a": ("step6_view", "new")}},
             [
                 "objective 99a: no chapter has the prefix 99",
-                *(f"objective 99a has no {part}" for part in ("section", "exercise", "question")),
+                *(f"objective 99a has no {part}" for part in ("section", "question")),
             ],
         ),
         (
@@ -119,7 +133,7 @@ CROWDED = {"6f": ("step6_view", "one too many")}
                 *(
                     f"objective {name} has no {part}"
                     for name in ("6e", "6f")
-                    for part in ("section", "exercise", "question")
+                    for part in ("section", "question")
                 ),
             ],
         ),
@@ -139,10 +153,6 @@ CROWDED = {"6f": ("step6_view", "one too many")}
         (
             lambda b: {"sections": b.sections | {"4d": "step3-range"}},
             ["objective 4d: its section step3-range is on another page"],
-        ),
-        (
-            lambda b: {"exercises": without(b.exercises, "choose_pan")},
-            ["objective 1d has no exercise"],
         ),
         (
             lambda b: {"exercises": b.exercises | {"lost": [], "odd": ["9z"]}},
@@ -182,12 +192,90 @@ def test_every_kind_of_orphan_is_named(
     assert find_problems(replace(book, **changes(book))) == expected
 
 
-def test_the_table_names_everything_once(book: Book) -> None:
-    rows = make_table(book).splitlines()[4:]
+def test_every_objective_is_taught_worked_practiced_and_checked(
+    book: Book, sources: Sources
+) -> None:
+    assert find_unknown(book, sources) == []
+    assert find_gaps(make_rows(book, sources)) == []
+
+
+@pytest.mark.parametrize(
+    ("row", "gaps"),
+    [
+        (Row(), ["is not taught in a section", "worked", "practiced", "is checked nowhere"]),
+        (Row("a", cells=["a"], tried=["try-a"], questions=["1a"]), []),
+        (Row("a", twins=["b"], completions=["c"]), []),
+        (Row("a", cells=["a"], required=["one"]), []),
+        # what is optional fills no cell
+        (
+            Row("a", cells=["a"], challenges=["two"], open_tasks=["s"], questions=["q"]),
+            ["practiced"],
+        ),
+        (Row("a", cells=["a"], predictions=["predict-a"]), ["is checked nowhere"]),
+    ],
+)
+def test_an_empty_cell_is_named(row: Row, gaps: list[str]) -> None:
+    found = find_gaps({"9a": row})
+    assert len(found) == len(gaps)
+    for line, words in zip(found, gaps, strict=True):
+        assert line.startswith("objective 9a ")
+        assert words in line
+
+
+@pytest.mark.parametrize(
+    ("changes", "expected"),
+    [
+        (lambda _: {"predictions": {"predict-a": ["9z"]}}, "prediction predict-a practices 9z"),
+        (lambda _: {"open_tasks": {"step1": ["9z"]}}, "open task of step1 practices 9z"),
+        (lambda _: {"worked": {"9z": "step1-pan"}}, "worked: 9z is no objective"),
+        (lambda _: {"tried": {"9z": []}}, "tried: 9z is no objective"),
+        (lambda _: {"worked": {"1d": "step3-raw"}}, "worked: 1d: no section step3-raw is on step1"),
+        (
+            lambda _: {
+                "worked": {"1d": "step1-pan"},
+                "tried": {},
+                "pages": {"step1_camera": "(step1-pan)=\n## Words only\n(step1-cameras)=\n"},
+            },
+            "worked: 1d: expected a cell in the section step1-pan",
+        ),
+        (lambda _: {"tried": {"1d": ["try-a"]}}, "nothing on step1_camera has the name try-a"),
+        # the beginning of a name is no name
+        (lambda _: {"tried": {"1d": ["fig-step1"]}}, "nothing on step1_camera has the name fig-"),
+        (
+            lambda s: {"completions": without(s.completions, "color_heights")},
+            "completion color_heights: what it practices is missing in objectives.yml",
+        ),
+        (lambda s: {"completions": {**s.completions, "gone": []}}, "gone belongs to no card"),
+        (
+            lambda s: {"completions": {**s.completions, "color_heights": ["1a"]}},
+            "completion color_heights practices 1a, but visualize_depth does not",
+        ),
+    ],
+)
+def test_a_name_that_leads_nowhere_is_told(
+    changes: Callable[[Sources], dict[str, Any]], expected: str, book: Book, sources: Sources
+) -> None:
+    (problem,) = find_unknown(book, replace(sources, **changes(sources)))
+    assert expected in problem
+
+
+def test_a_file_of_another_form_is_refused(tmp_path: Path, book: Book) -> None:
+    (tmp_path / "exercises").mkdir()
+    (tmp_path / "exercises" / "objectives.yml").write_text("sections: {}\n", encoding="utf-8")
+    with pytest.raises(CoverageError, match=r"objectives.yml: the field completions is missing"):
+        read_sources({"one": Card(is_required=True)}, book, tmp_path)
+
+
+def test_the_table_has_no_empty_cell_and_names_everything_once(
+    book: Book, sources: Sources
+) -> None:
+    rows = make_table(book, sources).splitlines()[4:]
     assert len(rows) == len(book.mapped)
     for name, row in zip(book.mapped, rows, strict=True):
         assert row.startswith(f"| **{name}** ")
-        assert row.count(" | ") == 3
+        cells = row.strip("| ").split(" | ")
+        assert len(cells) == 5
+        assert all(len(cell) > 5 for cell in cells), f"{name}: an empty cell in {cells}"
         assert f"{{ref}}`{book.sections[name]}`" in row
     for exercise in book.exercises:
         assert f"{{ref}}`{exercise} <exercise-{exercise.replace('_', '-')}>`" in "".join(rows)

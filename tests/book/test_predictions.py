@@ -98,7 +98,10 @@ def test_the_numbers_are_those_of_the_book() -> None:
     K, _ = lab.get_camera_intrinsics(model, "head_camera", 640, 480)
     (corner,) = lab.pixels_to_points([[0, 0]], np.ones(1), K)
     K_six, _ = lab.get_camera_intrinsics(model, "head_camera", 6, 6)
+    near, far = lab.get_clip_planes(model)
+    mm_per_unit = 1000 * 10**2 * (far - near) / (near * far)  # at 10 m
     computed = {
+        "whole-numbers": mm_per_unit / (2**24 - 1),
         "focal": K[0, 0],
         "corner-ray": np.linalg.norm(corner),
         "middle": K_six[0, 2],

@@ -26,6 +26,7 @@ from typing import Any
 
 from solutions import Exercise
 from solutions._completion import find_open_lines
+from solutions._open_answers import Marked
 from tools.editions.card_code import find_called, is_answered_by_library
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -136,6 +137,27 @@ def collect_secrets(exercises: Iterable[Exercise], notes: Iterable[Path] = ()) -
         text = re.sub(r"[*`]", "", path.read_text(encoding="utf-8"))
         secrets.append(Secret(path.name, sentences=get_sentences([text])))
     return [one for one in secrets if one.lines or one.names or one.sentences]
+
+
+def collect_answer_secrets(marked: Iterable[Marked]) -> list[Secret]:
+    """Take the fingerprints of the example answers to open tasks: what they say, how they measure.
+
+    A line that a page of the book has too gives nothing away.
+    """
+    pages = [*(ROOT / "book").glob("*.md"), *(ROOT / "exercises").glob("*.md")]
+    public = squeeze("\n".join(path.read_text(encoding="utf-8") for path in sorted(pages)))
+    secrets = []
+    for one in marked:
+        levels = (text for texts in one.levels.values() for text in texts)
+        secrets.append(Secret(f"{one.task.page}: levels", sentences=get_sentences(levels)))
+        for answer in one.answers:
+            origin = f"{one.task.page}: {answer.kind}"
+            said = [answer.text, *(mark.because for mark in answer.marks.values())]
+            filled = [re.sub(r"[*`]", "", answer.fill(text)) for text in said]
+            secrets.append(Secret(origin, sentences=get_sentences(filled)))
+            lines = tuple(line for line in get_lines(answer.measure) if line not in public)
+            secrets.append(Secret(origin, lines=lines))
+    return [one for one in secrets if one.lines or one.sentences]
 
 
 def get_names(exercise: Exercise, function: Callable[..., Any]) -> tuple[str, ...]:

@@ -22,8 +22,8 @@ def make_open_task(task: OpenTask, chapter: Chapter) -> str:
 ({get_label(chapter)})=
 ## Open task: {task.title}
 
-*No points, about {task.minutes} minutes. Practices {objectives}. No program can check this one: it \
-has many good answers, and somebody has to read yours.*
+*No points, about {task.minutes} minutes. Practices {objectives}. No program can check this one: \
+it has many good answers, and somebody has to read yours.*
 
 {task.task}
 

@@ -30,8 +30,8 @@ def make_section(chapter: Chapter, marked: Marked) -> str:
     source = inspect.getsource(sys.modules[marked.answers[0].measure.__module__]).strip()
     return f"""## Open task: {task.title}
 
-The task and what is looked at stand at the {{ref}}`end of the exercise page <{get_label(chapter)}>`.
-It is no part of the 100 points. Each criterion earns 0, 1 or 2:
+The task and what is looked at stand {{ref}}`on the exercise page <{get_label(chapter)}>`. It is no
+part of the 100 points. Each criterion earns 0, 1 or 2:
 
 | Criterion | 0 | 1 | 2 |
 |---|---|---|---|
