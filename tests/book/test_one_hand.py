@@ -26,8 +26,8 @@ def get_section(page: str, heading: str) -> str:
 def test_the_set_up_imports_everything_but_explorers(page: str) -> None:
     first, *others = CELL.findall(PAGES[page])
     assert "\nimport labutils as lab\n" in first
-    late = [line for cell in others for line in re.findall(r"^(?:import|from) .*", cell, re.M)]
-    late = [line for line in late if not line.startswith("from labutils.explorers import ")]
+    imports = r"^(?!from labutils\.explorers )(?:import|from) .*"
+    late = [line for cell in others for line in re.findall(imports, cell, re.MULTILINE)]
     assert not late, f"expected these in the first cell: {late}"
 
 
