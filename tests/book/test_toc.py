@@ -61,7 +61,7 @@ def test_every_picture_says_its_finding_in_words(page: Path) -> None:
         assert re.search(r"^:alt: [^\n]{20,}", figure, re.MULTILINE), f"{NO_ALT}: {figure}"
     for cell in re.findall(r"^```\{code-cell\}.*?^```$", text, re.DOTALL | re.MULTILINE):
         last = [line for line in cell.splitlines() if line.strip()][-2]
-        if re.match(r"(figures\.)?(plot_|visualize_pointcloud)", last):
+        if re.match(r"((figures|lab)\.)?(plot_|visualize_pointcloud)", last):
             assert re.search(r"alt: .{20,}", cell), f"{NO_ALT}: {cell}"
     assert not re.search(r"!\[\]\(", text), "an image without words"
 
@@ -212,7 +212,7 @@ def test_the_rules_for_pages_find_what_they_look_for() -> None:
         r"^[`:]{3,}\{(?:figure|image)\}.*?^[`:]{3,}$",
         r"^```\{code-cell\}.*?^```$",
         STARTER,
-        r"^(?:figures\.)?(?:plot_|visualize_pointcloud)",
+        r"^(?:(?:figures|lab)\.)?(?:plot_|visualize_pointcloud)",
         r"^\s*(?:from|import) \w+",
         r"^:alt: [^\n]{20,}",
     ):

@@ -66,7 +66,7 @@ def plan_chapter(id_: str, title: str = "", kind: str = EXTENSION, root: Path = 
 def _add_files(plan: Plan, chapter: Chapter) -> None:
     """Plan the files that are the chapter's own."""
     names = [f"{chapter.prefix}{letter}" for letter in LETTERS[: OBJECTIVES[chapter.kind][0]]]
-    ends = [","] * (len(names) - 1) + ["."]
+    ends = [";"] * (len(names) - 1) + ["."]
     values = {
         "id": chapter.id,
         "stem": chapter.stem,
