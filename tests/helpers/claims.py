@@ -37,6 +37,7 @@ LIBRARY = re.compile(
 REFERENCE = re.compile(r"\{ref\}`[^`]*<?ref-|\]\(https?://")
 
 FRONT_MATTER = re.compile(r"\A---\n.*?\n---\n", re.DOTALL)
+CELL = re.compile(r"^```\{code-cell\}.*?\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 FENCE = re.compile(r"^\s*(`{3,}|\$\$)")
 ASKS = re.compile(r":class: (predict|tryit)")
 ITEM = re.compile(r"\s*([-*]|\d+\.) ")
@@ -61,14 +62,12 @@ class Page:
 
 
 def read_page(source: Path, built: Path) -> Page:
-    """Read a page, and from what was built of it what its cells hold and print."""
+    """Read a page, the code of its cells, and what the built page shows below them."""
     text = FRONT_MATTER.sub("", source.read_text(encoding="utf-8"))
-    code, outputs = [], []
-    if built.is_file():
-        cells = BeautifulSoup(built.read_text(encoding="utf-8"), "html.parser").select("div.cell")
-        code = [part.get_text() for cell in cells for part in cell.select(".cell_input pre")]
-        outputs = [part.get_text() for cell in cells for part in cell.select(".cell_output")]
-    return Page(source.stem, tuple(split_sentences(text)), "\n".join(code), "\n".join(outputs))
+    code = "\n".join(part[1] for part in CELL.finditer(text))
+    soup = BeautifulSoup(built.read_text(encoding="utf-8"), "html.parser")
+    outputs = "\n".join(part.get_text() for part in soup.select(".cell_output pre"))
+    return Page(source.stem, tuple(split_sentences(text)), code, outputs)
 
 
 def split_sentences(text: str) -> list[str]:
