@@ -121,15 +121,16 @@ def test_opengl_hands_out_the_bottom_row_first_and_the_renderer_turns_it_over(
 def test_far_digits_are_kept_in_the_reversed_order_and_lost_when_turned_back(hand: Hand) -> None:
     """The same drawings, read in both orders: only what is drawn reversed can come out finer."""
     assert hand.context.readDepthMap == mujoco.mjtDepthMap.mjDEPTH_ZERONEAR  # the plain way
-    read: dict[str, list[float]] = {"ZERONEAR": [], "ZEROFAR": []}
+    usual, turned = mujoco.mjtDepthMap.mjDEPTH_ZERONEAR, mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
+    read: dict[str, set[float]] = {"usual": set(), "turned": set()}
     for _ in range(8):
         hand.model.geom("wall").pos[1] += 0.001
-        for order, values in read.items():
-            hand.context.readDepthMap = mujoco.mjtDepthMap[f"mjDEPTH_{order}"]
-            values.append(hand.draw()[1][0, 0])
+        for name, order in {"usual": usual, "turned": turned}.items():
+            hand.context.readDepthMap = order
+            read[name].add(float(hand.draw()[1][0, 0]))
     # A step of 6e-8 near 1 is 40^2 / 0.01 * 6e-8 = 10 mm there; near 0 a step is far finer.
-    assert len(set(read["ZERONEAR"])) <= 2
-    assert len(set(read["ZEROFAR"])) == 8
+    assert len(read["usual"]) <= 2
+    assert len(read["turned"]) == 8
 
 
 def test_the_renderer_reads_in_reversed_order_with_a_flag_for_depth_only(
@@ -172,7 +173,8 @@ def test_round_shapes_are_drawn_with_flat_faces_and_boxes_are_not() -> None:
         with lab.make_renderer(model, 120, 160) as renderer:
             _, depth = lab.render_camera(model, data, renderer, "eye")
         truth = lab.raycast_depth(model, data, "eye", 160, 120)
-        on_ball, on_wall = ((d(truth) & d(depth)) for d in (lambda z: z < 1, lambda z: z > 2))
+        on_ball = (truth < 1) & (depth < 1)
+        on_wall = (truth > 2) & (depth > 2)
         errors_mm.append(1000 * np.median((depth - truth)[on_ball]))
         assert np.abs(depth - truth)[on_wall].max() < 1e-5 * WALL
     # Faces lie inside the ball, so they are behind its front; 4 times as many, 16 times less.
