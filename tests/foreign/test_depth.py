@@ -57,8 +57,8 @@ def test_peers_depth_is_further_from_the_rays(view: View) -> None:
 
 
 def test_a_sky_box_stands_in_the_peers_depth_before_the_far_plane() -> None:
-    # MuJoCo draws it as a cube, whose corners lie before the far plane: what shows nothing has a
-    # depth that looks like one. Its renderer draws no sky box into depth.
+    # MuJoCo draws it as a cylinder that lies before the far plane: what shows nothing has a depth
+    # that looks like one. Its renderer draws no sky box into depth.
     skies = {view: measure(view).sky for view in VIEWS if _has_sky_box(view)}
     seen = {view: sky for view, sky in skies.items() if sky is not None}
     assert len(seen) > 10

@@ -2,8 +2,8 @@
 
 A claim is a sentence of the running text that holds a number with a unit, or says what a library
 does. Questions, tasks, objectives and recaps claim nothing. What a claim rests on is seen in the
-sentence itself (a reference), or in an output of its page (every number of it), or it is said in
-``tests/book/claims.yml``:
+sentence itself (a reference), or in an output of its page (every number of it, whole ones with
+their unit), or it is said in ``tests/book/claims.yml``:
 
 .. code-block:: yaml
 
@@ -11,6 +11,7 @@ sentence itself (a reference), or in an output of its page (every number of it),
       - says: spends half of its range on       # a part of one sentence, once on the page
         cell: lab.metric_to_raw(z, n, far)      # a part of one line of a cell of the page, or
         test: tests/labutils/test_x.py::test_y  # a test of this repository, or
+        measured: "| route | tuned |"           # a part of a table that a bench has written, or
         reference: ref-mujoco-docs              # a label of the page References, or
         follows: from 30 digits of the formula  # why it needs no evidence of its own
 """
@@ -27,7 +28,7 @@ from bs4 import BeautifulSoup
 from tools import ROOT
 
 REGISTER = ROOT / "tests" / "book" / "claims.yml"
-TIES = ("cell", "test", "reference", "follows")
+TIES = ("cell", "test", "measured", "reference", "follows")
 
 UNITS = r"mm|cm|m|px|pixels?|%|°|degrees?|rad|rad/s|ms|s|seconds?|minutes?|MB|kB|GB|levels?|times"
 MEASURE = re.compile(rf"(?<![\w.])(\d[\d,.]*\d|\d)\s?(?:{UNITS})(?!\w)")
@@ -37,6 +38,8 @@ LIBRARY = re.compile(
 REFERENCE = re.compile(r"\{ref\}`[^`]*<?ref-|\]\(https?://")
 
 FRONT_MATTER = re.compile(r"\A---\n.*?\n---\n", re.DOTALL)
+CELL = re.compile(r"^```\{code-cell\}.*?\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+INCLUDED = re.compile(r"^```\{include\} (\S+)", re.MULTILINE)
 FENCE = re.compile(r"^\s*(`{3,}|\$\$)")
 ASKS = re.compile(r":class: (predict|tryit)")
 ITEM = re.compile(r"\s*([-*]|\d+\.) ")
@@ -53,6 +56,7 @@ class Page:
     sentences: tuple[str, ...]
     code: str
     outputs: str
+    tables: str = ""
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -61,14 +65,14 @@ class Page:
 
 
 def read_page(source: Path, built: Path) -> Page:
-    """Read a page, and from what was built of it what its cells hold and print."""
+    """Read a page, the code of its cells, and what the built page shows below them."""
     text = FRONT_MATTER.sub("", source.read_text(encoding="utf-8"))
-    code, outputs = [], []
-    if built.is_file():
-        cells = BeautifulSoup(built.read_text(encoding="utf-8"), "html.parser").select("div.cell")
-        code = [part.get_text() for cell in cells for part in cell.select(".cell_input pre")]
-        outputs = [part.get_text() for cell in cells for part in cell.select(".cell_output")]
-    return Page(source.stem, tuple(split_sentences(text)), "\n".join(code), "\n".join(outputs))
+    code = "\n".join(part[1] for part in CELL.finditer(text))
+    soup = BeautifulSoup(built.read_text(encoding="utf-8"), "html.parser")
+    outputs = "\n".join(part.get_text() for part in soup.select(".cell_output pre"))
+    included = [source.parent / name for name in INCLUDED.findall(text)]
+    tables = "\n".join(path.read_text(encoding="utf-8") for path in included)
+    return Page(source.stem, tuple(split_sentences(text)), code, outputs, tables)
 
 
 def split_sentences(text: str) -> list[str]:
@@ -104,7 +108,7 @@ def is_tied_by_itself(claim: str, page: Page) -> bool:
     if REFERENCE.search(claim):
         return True
     numbers = MEASURE.findall(claim)
-    printed = set(re.findall(r"\d+(?:\.\d+)?", page.outputs))
+    printed = set(re.findall(r"\d+\.\d+", page.outputs)) | set(MEASURE.findall(page.outputs))
     return bool(numbers) and all(number in printed for number in numbers)
 
 
@@ -127,6 +131,8 @@ def find_fault(entry: dict[str, str], page: Page) -> str:
 def _find_missing_evidence(tie: str, evidence: str, page: Page) -> str:
     if tie == "cell" and evidence not in page.code:
         return f"expected a cell of {page.name} with {evidence!r}, got none"
+    if tie == "measured" and evidence not in page.tables:
+        return f"expected a table of {page.name} with {evidence!r}, got none"
     if tie == "reference":
         references = (ROOT / "book" / "references.md").read_text(encoding="utf-8")
         return "" if f"({evidence})=" in references else f"no reference {evidence!r}"
