@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from labutils._constants import MAX_HUE
+LARGEST = 255  # saturation, whose lower limit is the first handle
 
 
 @pytest.fixture(scope="module", params=["hsv", "scene", "plain"])
@@ -31,11 +31,11 @@ def test_the_pages_report_no_problem(used: dict[str, Any]) -> None:
 
 def test_what_was_moved_before_python_ran_is_moved_in_python(seen: dict[str, Any]) -> None:
     hsv = seen["hsv"]
-    (hue, *_), _ = literal_eval(hsv["carried"])
-    assert hue == MAX_HUE - 1
+    low, _ = literal_eval(hsv["carried"])
+    assert low[1] == LARGEST - 1
     # the cell below ran after that
     assert hsv["below"]["result"] == "ran"
-    assert f"limits (({MAX_HUE - 1}, " in hsv["below"]["text"]
+    assert f"limits ({low}, " in hsv["below"]["text"]
 
 
 def test_the_live_explorer_takes_the_place_of_the_built_one(seen: dict[str, Any]) -> None:
@@ -45,14 +45,14 @@ def test_the_live_explorer_takes_the_place_of_the_built_one(seen: dict[str, Any]
 
 def test_python_reads_what_is_moved_and_picked(seen: dict[str, Any]) -> None:
     hsv = seen["hsv"]
-    assert literal_eval(hsv["moved"])[0][0] == 1
+    assert literal_eval(hsv["moved"])[0][1] == 1
     pixel, color = re.findall(r"\(.*?\)", hsv["picked"])
     assert f"Pixel {pixel}: RGB {color.strip('()').replace(',', '')}" in hsv["told"]
 
 
 def test_of_many_moves_while_python_is_busy_it_hears_the_last(seen: dict[str, Any]) -> None:
     hsv = seen["hsv"]
-    assert literal_eval(hsv["afterBusy"])[0][0] == 77 + 20
+    assert literal_eval(hsv["afterBusy"])[0][1] == 77 + 20
     # the first move, of a slider and of its view
     assert hsv["sentWhileBusy"] <= 2
 

@@ -61,7 +61,7 @@ async function useHsv(browser, site, name) {
   seen.picked = await ask(page, "print(hsv_explorer.pixel, hsv_explorer.pixel_rgb)");
   const told = live.locator(".explorer-readout").filter({ hasText: /Pixel \(/ });
   seen.told = await told.textContent(); // which waits until it says so
-  await ask(page, "hsv_explorer.move(hue_from=77)");
+  await ask(page, "hsv_explorer.move(saturation_limits=[77, 255])");
   await handle.and(page.locator('[aria-valuetext="77"]')).waitFor();
 
   // while Python is busy the page holds back what is overwritten anyway
