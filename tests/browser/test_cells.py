@@ -28,7 +28,7 @@ OTHER_TEXT = {
     ("book/conventions", 7): "Open3D",
     ("book/conventions", 10): "Open3D",
     ("book/step6_view", 4): "Open3D",
-    ("book/step6_view", 14): "Open3D",
+    ("book/step6_view", 16): "Open3D",
     # it stands between 0.0000 and 0.0001 mm, where the last bits of single precision decide
     ("book/step5_cloud", 10): "the fourth decimal of a median",
 }
