@@ -131,7 +131,7 @@ await main(async (browser, site) => {
   for (const name of ["background", "start", "step1_camera", "step2_intrinsics", "step3_depth"]) {
     seen.book[name] = await countCovers(browser, site, name);
   }
-  for (const name of ["step4_color", "step5_cloud", "step6_view"]) {
+  for (const name of ["projection_matrix", "step4_color", "step5_cloud", "step6_view"]) {
     seen.book[name] = await countCovers(browser, site, name);
   }
   return seen;

@@ -77,8 +77,8 @@ def test_a_solved_exercise_counts_in_the_sidebar_and_in_its_row(followed: dict[s
     assert solved["counts"] == ["1/4", *COUNTS[1:]]
     assert solved["labels"][0] == "1 of 4 solved"
     (done,) = solved["done"]
-    assert done == "required 1 of 1, challenges 0 of 3, questions 0 of 5, predictions 0 of 4"
-    assert solved["bars"] == [[1, 10]]  # challenges are nobody's duty
+    assert done == "required 1 of 1, challenges 0 of 3, questions 0 of 5, predictions 0 of 5"
+    assert solved["bars"] == [[1, 11]]  # challenges are nobody's duty
 
 
 def test_what_is_not_ours_in_the_store_counts_as_nothing(followed: dict[str, Any]) -> None:

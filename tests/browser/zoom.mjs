@@ -74,6 +74,7 @@ function inspectView(selector) {
 
 /** Runs in the page: what a reader copies of each block of code, and what stands there. */
 function copyCode() {
+  for (const folded of document.querySelectorAll("details")) folded.open = true;
   const differing = [];
   let wrapped = 0;
   for (const pre of document.querySelectorAll(".cell_input pre")) {
