@@ -26,6 +26,7 @@ from tests.helpers.chapters import ROOT, get_executable_pages, get_toc_pages
 from tools.build import book as build_book
 from tools.build import memory
 from tools.build.edition import EDITIONS, get_edition
+from tools.editions import exercise_section
 from tools.editions import instructor_pages as make_instructor_pages
 from tools.editions import student as make_student
 from tools.editions.card_code import is_answered_by_library
@@ -349,7 +350,7 @@ def test_the_zip_runs_on_its_own(tmp_path: Path, files: dict[str, bytes]) -> Non
 def test_a_challenge_shows_its_helpers() -> None:
     from tests.book.test_leaks import count_bright_regions  # noqa: PLC0415
 
-    source = make_instructor_pages.get_source(count_bright_regions)
+    source = exercise_section.get_source(count_bright_regions)
     assert "def count_bright_regions" in source
     assert "def _spread_labels" in source
     card = load_exercises()["process_depth"]
