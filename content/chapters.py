@@ -31,10 +31,8 @@ from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import yaml
-
 from content import ROOT
-from content.fields import check_fields
+from content.fields import check_fields, read_yaml
 
 REGISTRY = Path("content", "chapters.yml")
 
@@ -115,10 +113,7 @@ def load_chapters(root: Path = ROOT) -> tuple[Chapter, ...]:
         value of a wrong form, or something that another row has already.
     """
     path = root / REGISTRY
-    try:
-        rows = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (OSError, yaml.YAMLError) as error:
-        raise ChapterError(f"{REGISTRY.name}: cannot be read: {error}") from error
+    rows = read_yaml(path, ChapterError)
     if not isinstance(rows, list):
         raise ChapterError(f"{REGISTRY.name}: expected a list of chapters")
     chapters = tuple(_read_row(place, row) for place, row in enumerate(rows, start=1))

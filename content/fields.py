@@ -4,8 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import yaml
+
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from pathlib import Path
+
+
+def read_yaml(path: Path, error: type[ValueError]) -> Any:
+    """Return what a file of YAML holds; raise `error`, with its name, where it cannot be read."""
+    try:
+        return yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (OSError, yaml.YAMLError) as reason:
+        raise error(f"{path.name}: cannot be read: {reason}") from reason
 
 
 def check_fields(

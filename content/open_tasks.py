@@ -25,11 +25,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import yaml
-
 from content import ROOT
 from content.chapters import list_required
-from content.fields import check_fields
+from content.fields import check_fields, read_yaml
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -71,10 +69,7 @@ def load_open_task(page: str, folder: Path = OPEN_TASKS) -> OpenTask:
         If the file is missing, or something in it is missing, unknown or against the rules.
     """
     where = f"{page}.yml"
-    try:
-        entry = yaml.safe_load((folder / where).read_text(encoding="utf-8"))
-    except (OSError, yaml.YAMLError) as error:
-        raise OpenTaskError(f"{where}: cannot be read: {error}") from error
+    entry = read_yaml(folder / where, OpenTaskError)
     fields = check_fields(
         where,
         entry,

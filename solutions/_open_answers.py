@@ -29,9 +29,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import yaml
-
-from content.fields import check_fields
+from content.fields import check_fields, read_yaml
 from content.open_tasks import OpenTask, check_length, load_open_tasks
 
 if TYPE_CHECKING:
@@ -121,10 +119,7 @@ def load_marked(task: OpenTask, folder: Path = ANSWERS) -> Marked:
         If the file is missing, or something in it is missing, unknown or against the rules.
     """
     where = f"{task.page}.yml"
-    try:
-        entry = yaml.safe_load((folder / where).read_text(encoding="utf-8"))
-    except (OSError, yaml.YAMLError) as error:
-        raise OpenAnswerError(f"{where}: cannot be read: {error}") from error
+    entry = read_yaml(folder / where, OpenAnswerError)
     due = {"levels": dict, **dict.fromkeys(KINDS, dict)}
     fields = check_fields(where, entry, due, {}, OpenAnswerError)
     levels = _read_levels(f"{where}: levels", fields["levels"], task)

@@ -16,6 +16,27 @@ export function watchPixel(canvas, show) {
 }
 
 /**
+ * Follow the pointer over a picture: the pixel it rests on, until the keys or a click pick one.
+ * @param {HTMLCanvasElement} canvas
+ * @param {{ on(event: string, then: () => void): void, off(event: string, then: () => void): void }} model
+ * @param {{ cleanups: (() => void)[] }} frame
+ * @param {() => void} redraw called when it rests on another one
+ */
+export function followPointer(canvas, model, frame, redraw) {
+  const pointer = { pixel: /** @type {Pixel | null} */ (null) };
+  const look = (/** @type {Pixel | null} */ pixel) => {
+    if (String(pixel) === String(pointer.pixel)) return;
+    pointer.pixel = pixel;
+    redraw();
+  };
+  watchPixel(canvas, look);
+  const forget = () => look(null); // what the keys have picked counts, not where the pointer rests
+  model.on("change:pixel", forget);
+  frame.cleanups.push(() => model.off("change:pixel", forget));
+  return pointer;
+}
+
+/**
  * The pixel of a canvas under a pointer; a pixel's number names its center.
  * @param {{ width: number, height: number, getBoundingClientRect(): Box }} canvas
  * @param {{ clientX: number, clientY: number }} pointer

@@ -18,7 +18,7 @@ import {
 } from "./_depth_picture.js";
 import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
 import { makeHistogram } from "./_histogram.js";
-import { makeSpotlight, makeTag, watchPixel } from "./_hover.js";
+import { followPointer, makeSpotlight, makeTag } from "./_hover.js";
 import { makePicker } from "./_picker.js";
 import { decodePng } from "./_png.js";
 import { FARTHER, INSIDE, NEARER, NO_SURFACE } from "./_shared.js";
@@ -55,9 +55,9 @@ async function start(model, frame) {
 
   frame.reserve(LONGEST);
 
-  /** @type {Pixel | null} */
-  let hovered = null;
+  const pointer = followPointer(canvas, model, frame, () => again());
   const again = drawOnChange(model, frame, () => {
+    const hovered = pointer.pixel;
     const range = model.get("range_m");
     const rangeSteps = toSteps(range, step);
     bar.show(paint(range, rangeSteps), range);
@@ -81,15 +81,6 @@ async function start(model, frame) {
     else tag.hide();
     frame.tell(inWords(values, range) + inPixelWords(seen, looked), values);
   });
-  const look = (/** @type {Pixel | null} */ pixel) => {
-    if (String(pixel) === String(hovered)) return;
-    hovered = pixel;
-    again();
-  };
-  watchPixel(canvas, look);
-  const forget = () => look(null); // what the keys have picked counts, not where the pointer rests
-  model.on("change:pixel", forget);
-  frame.cleanups.push(() => model.off("change:pixel", forget));
 }
 
 /**

@@ -4,7 +4,7 @@
 import { toStep, toSteps } from "./_depth_picture.js";
 import { makeErrorCurve } from "./_error_curve.js";
 import { defineView, drawOnChange, getContext, make, makeCanvas } from "./_frame.js";
-import { makeSpotlight, makeTag, watchPixel } from "./_hover.js";
+import { followPointer, makeSpotlight, makeTag } from "./_hover.js";
 import { makePicker } from "./_picker.js";
 import { decodePng, toImageData } from "./_png.js";
 import { formatInterval, makeRays } from "./_rays.js";
@@ -56,9 +56,9 @@ async function start(model, frame) {
   makeKey(frame.side);
   frame.reserve(LONGEST);
 
-  /** @type {Pixel | null} */
-  let hovered = null;
+  const pointer = followPointer(canvas, model, frame, () => again());
   const again = drawOnChange(model, frame, () => {
+    const hovered = pointer.pixel;
     const baseline = model.get("baseline_mm") / 1000;
     const error = model.get("error_px");
     const describe = (/** @type {Pixel} */ [u, v]) =>
@@ -73,15 +73,6 @@ async function start(model, frame) {
     else tag.hide();
     frame.tell(inWords(seen, looked, error), values);
   });
-  const look = (/** @type {Pixel | null} */ pixel) => {
-    if (String(pixel) === String(hovered)) return;
-    hovered = pixel;
-    again();
-  };
-  watchPixel(canvas, look);
-  const forget = () => look(null); // what the keys have picked counts, not where the pointer rests
-  model.on("change:pixel", forget);
-  frame.cleanups.push(() => model.off("change:pixel", forget));
 }
 
 /**
