@@ -39,6 +39,7 @@ async function visit(browser, site, name) {
   found.paper = await page.evaluate(inspect);
   await page.emulateMedia({ media: "screen" });
   await page.setViewportSize(VIEWS.phone);
+  await waitForFrames(page); // what scrolls now is reached by keys from the next frame on
   await page.evaluate(axe);
   found.phone.barriers = await page.evaluate(runAxe);
   await close(tab);
