@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         visualize_detection,
     )
     from labutils.depth_processing import render_raw_depth, visualize_depth
+    from labutils.following import command_from_pixel
     from labutils.outputs import (
         save_depth_view,
         save_detection_result,
@@ -59,6 +60,7 @@ __version__ = "0.1.0"
 _ON_FIRST_USE = {
     "NotDrawnWarning": "renderers.omissions",
     "check": "checks",
+    "command_from_pixel": "following",
     "depth_to_pointcloud": "pointcloud",
     "find_object_centroid": "color_segmentation",
     "hint": "checks",
@@ -103,6 +105,7 @@ __all__ = [
     "NotDrawnWarning",
     "camera_to_world",
     "check",
+    "command_from_pixel",
     "depth_to_pointcloud",
     "find_object_centroid",
     "find_valid_depth",
