@@ -107,7 +107,7 @@ def collect_leaves(value: Any, path: str = "") -> Iterator[tuple[str, float]]:
 
 
 def is_far(path: str, before: float, after: float) -> bool:
-    """Tell whether a mean has moved; another driver draws edges otherwise, so a little is normal."""
+    """Tell whether a mean has moved; a little is normal, where another driver draws edges."""
     is_deviation = path.endswith("/1")
     is_length = "/rmse/" in path or "/theory/" in path
     return not is_deviation and abs(after - before) > 0.1 * before + (0 if is_length else 0.01)
