@@ -51,6 +51,9 @@ if TYPE_CHECKING:
     from labutils.renderers.omissions import NotDrawnWarning
     from labutils.scene import make_scene
     from labutils.showing import show
+    from labutils.stereo import depth_to_disparity, disparity_to_depth
+    from labutils.stereo_matching import matching_cost, ssd_disparity
+    from labutils.stereo_refining import lr_check, subpixel
 
 choose_gl_backend()  # MuJoCo reads MUJOCO_GL once, at import: so here, before anything imports it
 
@@ -61,10 +64,14 @@ _ON_FIRST_USE = {
     "NotDrawnWarning": "renderers.omissions",
     "check": "checks",
     "command_from_pixel": "following",
+    "depth_to_disparity": "stereo",
     "depth_to_pointcloud": "pointcloud",
+    "disparity_to_depth": "stereo",
     "find_object_centroid": "color_segmentation",
     "hint": "checks",
+    "lr_check": "stereo_refining",
     "make_scene": "scene",
+    "matching_cost": "stereo_matching",
     "raycast_depth": "raycast",
     "raycast_points": "raycast",
     "render_camera": "camera_utils",
@@ -79,6 +86,8 @@ _ON_FIRST_USE = {
     "save_scene_pointcloud": "outputs",
     "segment_by_color": "color_segmentation",
     "show": "showing",
+    "ssd_disparity": "stereo_matching",
+    "subpixel": "stereo_refining",
     "visualize_depth": "depth_processing",
     "visualize_detection": "color_segmentation",
     "visualize_pointcloud": "pointcloud",
@@ -106,7 +115,9 @@ __all__ = [
     "camera_to_world",
     "check",
     "command_from_pixel",
+    "depth_to_disparity",
     "depth_to_pointcloud",
+    "disparity_to_depth",
     "find_object_centroid",
     "find_valid_depth",
     "get_camera_intrinsics",
@@ -116,8 +127,10 @@ __all__ = [
     "hint",
     "intrinsics_matrix",
     "is_gl_available",
+    "lr_check",
     "make_renderer",
     "make_scene",
+    "matching_cost",
     "metric_to_raw",
     "pixels_to_points",
     "points_to_pixels",
@@ -138,6 +151,8 @@ __all__ = [
     "save_scene_pointcloud",
     "segment_by_color",
     "show",
+    "ssd_disparity",
+    "subpixel",
     "visualize_depth",
     "visualize_detection",
     "visualize_pointcloud",

@@ -47,12 +47,55 @@ def check_image_size(width: Any, height: Any) -> tuple[int, int]:
     return int(width), int(height)
 
 
+def check_count(name: str, value: Any, thing: str) -> int:
+    """Return a whole number of things, at least 1, as an int."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        raise TypeError(f"{name}: expected a whole number, got {_describe(value)}")
+    if value < 1:
+        raise ValueError(f"{name}: expected at least 1 {thing}, got {value}")
+    return int(value)
+
+
+def check_odd(name: str, value: Any) -> int:
+    """Return an odd number of pixels, at least 1, as an int."""
+    count = check_count(name, value, "pixel")
+    if count % 2 == 0:
+        raise ValueError(f"{name}: expected an odd number, so that it has a middle, got {value}")
+    return count
+
+
 def check_depth_image(name: str, value: Any) -> np.ndarray:
     """Return a depth image: real numbers, shape (H, W)."""
     array = check_real_array(name, value)
     if array.ndim != 2:
         raise ValueError(f"{name}: expected a depth image of shape (H, W), got {_describe(array)}")
     return array
+
+
+def check_gray_image(name: str, value: Any) -> np.ndarray:
+    """Return a gray picture as float32: finite numbers, shape (H, W)."""
+    array = check_real_array(name, value)
+    if array.ndim != 2 or not array.size:
+        raise ValueError(f"{name}: expected a gray picture (H, W), got {_describe(array)}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite numbers, got NaN or infinity")
+    return array.astype(np.float32)
+
+
+def check_gray_pair(left: Any, right: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Return the two gray pictures of a pair, of one size (H, W), as float32."""
+    pair = check_gray_image("left", left), check_gray_image("right", right)
+    if pair[0].shape != pair[1].shape:
+        raise ValueError(f"right: expected shape {pair[0].shape} as left, got {pair[1].shape}")
+    return pair
+
+
+def check_cost_volume(value: Any) -> np.ndarray:
+    """Return matching costs of at least one candidate: real numbers, shape (D, H, W)."""
+    costs = check_real_array("cost", value)
+    if costs.ndim != 3 or not len(costs):
+        raise ValueError(f"cost: expected shape (D, H, W) with D > 0, got shape {costs.shape}")
+    return costs
 
 
 def check_rgb_image(name: str, value: Any) -> np.ndarray:
