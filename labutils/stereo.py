@@ -69,8 +69,10 @@ def disparity_to_depth(disparity: ArrayLike, K: ArrayLike, baseline: float) -> n
     ----------
     disparity : array-like, real, any shape
         Pixels, positive where the right camera sees the point farther left.
-    K, baseline
-        As in `depth_to_disparity`.
+    K : array-like, shape (3, 3)
+        Intrinsic matrix of both cameras.
+    baseline : float
+        Distance between the cameras in meters, > 0.
 
     Returns
     -------

@@ -41,7 +41,7 @@ def ssd_disparity(
 
     For each candidate 0, 1, ..., ``max_disparity - 1`` the window around the pixel is compared
     with the window as many columns farther left in the right picture: by the sum of squared
-    differences (SSD). The candidate with the smallest sum wins; of equal ones, the smallest.
+    differences (SSD). The candidate with the smallest sum wins.
 
     Parameters
     ----------
@@ -58,7 +58,8 @@ def ssd_disparity(
     Returns
     -------
     ndarray, float32, shape (H, W)
-        Whole pixels; NaN where no candidate has both windows inside the pictures (padded: never).
+        Whole pixels, of equal sums the smallest; NaN where no candidate has both windows inside
+        the pictures (padded: never).
 
     Raises
     ------

@@ -33,7 +33,9 @@ def control(rgb: np.ndarray, depth: np.ndarray, K: np.ndarray, state: object) ->
     raise NotImplementedError("FILL: the right answer")
 
 
-def _answer_with(mistakes: frozenset[str], rgb: np.ndarray, depth: np.ndarray, K: np.ndarray, state: object) -> Any:
+def _answer_with(
+    mistakes: frozenset[str], rgb: np.ndarray, depth: np.ndarray, K: np.ndarray, state: object
+) -> Any:
     raise NotImplementedError("FILL: answer with these mistakes; without any, as the reference")
 
 

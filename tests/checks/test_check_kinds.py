@@ -11,7 +11,7 @@ from labutils.checks.calls import split_answer
 from labutils.checks.compare import to_canonical
 from labutils.checks.gates import find_failure
 from labutils.checks.kinds import _FAMILIES, KINDS, Kind, get_kind
-from labutils.checks.kinds.panels import draw_pictures
+from labutils.checks.kinds.panels import draw_pictures, paint_signs
 from labutils.checks.table import Case, CheckTable, Part, load_table
 from labutils.checks.verdict import PanelPicture
 from labutils.checks.writing import part_to_words
@@ -195,6 +195,12 @@ GRID = np.arange(12.0).reshape(4, 3)
             np.array([[0, 0, 255]], np.uint8),
             "3 of 3 pixels of x are off: 1 marked that should not be, 2 missing.",
         ),
+        (
+            "disparity",
+            np.full((4, 5), 7.0),
+            np.full((4, 5), 9.0),
+            "100 % of x is wrong by more than 0 px, all over the picture: 100 % too large, typi",
+        ),
     ],
 )
 def test_difference_is_told_in_the_words_of_the_kind(
@@ -209,7 +215,7 @@ def test_difference_is_told_in_the_words_of_the_kind(
     verdict = judge_answers(table, ((yours,),))
     assert verdict.property == "value"
     assert words in verdict.paragraphs[0]
-    sized = kind in ("depth", "rgb", "mapped")
+    sized = kind in ("depth", "rgb", "mapped", "disparity")
     assert ("Worst pixel: (u, v) = (" in verdict.paragraphs[1]) is sized
     drawn = sized or kind in ("mask", "rows", "cloud", "pixels")
     assert (verdict.picture is not None) is drawn
@@ -261,3 +267,46 @@ def test_points_keep_their_columns_where_there_are_none() -> None:
     for came, passes in ((np.zeros((0, 3)), True), ([], False)):
         outcome = split_answer((part,), came, ())
         assert judge_answers(make_table(part, np.zeros((0, 3))), (outcome,)).passed is passes
+
+
+def make_steps() -> np.ndarray:
+    """Make disparities of a wall, a near box in its middle, and a rim without a match."""
+    due = np.full((40, 60), 4.0)
+    due[16:24, 24:36] = 12
+    due[:2] = due[-2:] = due[:, :2] = due[:, -2:] = np.nan
+    return due
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "words"),
+    [
+        (np.s_[:, 2:14], np.nan, "most of it in the columns at the left: 18 % missing (NaN)."),
+        (np.s_[16:24, 24:36], 4.5, "most of it where something is near: 4 % too small, typical"),
+        (np.s_[:2, 2:-2], 1.0, "along the edge of the picture: 5 % given where none is due."),
+        (np.s_[16:24, 21:24], 12.0, "most of it beside jumps of the disparity: 1 % too large"),
+        (np.s_[20, 2:9], 5.0, "less than 1 % of x is wrong by more than 0.25 px, most of it in"),
+        (np.s_[2:-2, 46:-2], 4.5, "most of it in the columns at the right: 18 % too large"),
+        (np.s_[3:38:2, 2:], np.nan, "by more than 0.25 px, all over the picture: 4"),
+    ],
+)
+def test_wrong_disparities_are_told_by_share_and_place(
+    place: tuple[slice, slice], value: float, words: str
+) -> None:
+    due = make_steps()
+    yours = due.copy()
+    yours[place] = value
+    verdict = judge_answers(
+        make_table(Part("x", "disparity", "float", atol=0.25), due), ((yours,),)
+    )
+    assert words in verdict.paragraphs[0]
+
+
+def test_difference_of_disparities_shows_side_and_absence() -> None:
+    differences = np.array([[-2.0, 0.0, 2.0, np.nan, -1.0]])
+    wrong = np.array([[True, False, True, True, True]])
+    blue, white, red, gray, pale = paint_signs(differences, wrong)[0].astype(int)
+    assert blue[0] > blue[2]
+    assert red[2] > red[0]
+    assert white.tolist() == [255] * 3
+    assert gray.tolist() == [150] * 3
+    assert pale.sum() > blue.sum()

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 WIDTH = 70
 
 #: Sections of a docstring in which an exercise may ask for less than the library does.
-SECTIONS = ("Convention", "Returns", "Raises", "Examples")
+SECTIONS = ("Convention", "Returns", "Raises", "Examples", "References")
 
 #: A duty of every exercise.
 INPUTS_STAY = "The arguments stay as they are."

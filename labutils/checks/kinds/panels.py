@@ -23,7 +23,12 @@ _MAX_DOTS = 5000  # more do not fit into a panel
 
 
 def draw_pictures(
-    name: str, expected_bgr: np.ndarray, yours_bgr: np.ndarray, gaps: np.ndarray, wrong: np.ndarray
+    name: str,
+    expected_bgr: np.ndarray,
+    yours_bgr: np.ndarray,
+    gaps: np.ndarray,
+    wrong: np.ndarray,
+    difference_bgr: np.ndarray | None = None,
 ) -> PanelPicture | None:
     """Draw two pictures of one size and how far they are apart.
 
@@ -35,11 +40,14 @@ def draw_pictures(
         uint8, shape (H, W, 3).
     gaps, wrong : np.ndarray
         How far each value is off, and whether by too much: shape (H, W) or (H, W, 3).
+    difference_bgr : np.ndarray or None
+        The third panel, uint8, shape (H, W, 3); None draws the gaps.
     """
     if gaps.ndim == 3:
         gaps, wrong = gaps.max(axis=2), np.asarray(wrong.any(axis=2))
     v, u = (int(place) for place in np.unravel_index(int(np.argmax(gaps)), gaps.shape))
-    panels = [expected_bgr, yours_bgr, _paint_difference(gaps, wrong)]
+    third = _paint_difference(gaps, wrong) if difference_bgr is None else difference_bgr
+    panels = [expected_bgr, yours_bgr, third]
     scale = max(1, _PANEL // max(gaps.shape))
     panels = [_fit(panel, scale) for panel in panels]
     for panel in panels:
@@ -105,6 +113,16 @@ def paint_values(values: np.ndarray, low: float, high: float) -> np.ndarray:
     return panel
 
 
+def paint_signs(differences: np.ndarray, wrong: np.ndarray) -> np.ndarray:
+    """Draw differences as BGR: white where they agree, blue below zero, red above, gray for NaN."""
+    panel = np.empty((*differences.shape, 3), np.uint8)
+    finite = np.where(np.isfinite(differences), differences, 0.0)
+    for color, side in ((_EXPECTED, finite < 0), (_YOURS, finite >= 0)):
+        panel[side] = _paint_difference(np.abs(finite), wrong, color)[side]
+    panel[wrong & ~np.isfinite(differences)] = _NO_VALUE
+    return panel
+
+
 def _fit(panel: np.ndarray, scale: int) -> np.ndarray:
     """Enlarge by a whole factor so that pixels stay sharp; shrink what is too large."""
     if scale > 1:
@@ -113,15 +131,15 @@ def _fit(panel: np.ndarray, scale: int) -> np.ndarray:
     return cv2.resize(panel, None, fx=share, fy=share, interpolation=cv2.INTER_AREA)
 
 
-def _paint_difference(gaps: np.ndarray, wrong: np.ndarray) -> np.ndarray:
-    """White where both agree, darker red the further they are apart."""
+def _paint_difference(
+    gaps: np.ndarray, wrong: np.ndarray, color: tuple[int, int, int] = _YOURS
+) -> np.ndarray:
+    """White where both agree, in a darker color the further they are apart."""
     finite = gaps[np.isfinite(gaps)]
     top = float(finite.max()) if finite.size and finite.max() > 0 else 1.0
     share = np.clip(np.where(np.isfinite(gaps), gaps, top) / top, 0.0, 1.0)
     strength = np.where(wrong, 0.35 + 0.65 * share, 0.0)[..., None]
-    return np.round(np.array(_PAPER) * (1 - strength) + np.array(_YOURS) * strength).astype(
-        np.uint8
-    )
+    return np.round(np.array(_PAPER) * (1 - strength) + np.array(color) * strength).astype(np.uint8)
 
 
 def _mark(panel: np.ndarray, pixel: tuple[int, int], scale: float) -> None:
