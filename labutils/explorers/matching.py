@@ -236,7 +236,7 @@ def explore_matching(
         Standard deviation of the noise that is added to both pictures at first, in gray levels:
         0 to 20.
     pixel : (u, v), optional
-        Chosen first; without it the middle of the picture.
+        Chosen first; without it the first of the places, else the middle of the picture.
     places : mapping of str to (u, v), optional
         Pixels worth a look. Each gets a button of that name.
 
@@ -256,9 +256,12 @@ def explore_matching(
     matrix, meters = check_intrinsics(K), check_positive("baseline", baseline, "meters")
     height, width = gray_left.shape
     longest = check_whole("max_disparity", max_disparity, _SEARCHED)
-    start = check_pixel(
-        "pixel", (width // 2, height // 2) if pixel is None else pixel, width, height
-    )
+    named = [
+        [name, list(check_pixel(f"places[{name!r}]", place, width, height))]
+        for name, place in (places or {}).items()
+    ]
+    first = named[0][1] if named else (width // 2, height // 2)
+    start = check_pixel("pixel", first if pixel is None else pixel, width, height)
     view = MatchingView(
         label="Matching explorer",
         help="Choose a pixel. Then change window, search and noise.",
@@ -268,10 +271,7 @@ def explore_matching(
         K=matrix.tolist(),
         baseline=meters,
         max_disparity=longest,
-        places=[
-            [name, list(check_pixel(f"places[{name!r}]", place, width, height))]
-            for name, place in (places or {}).items()
-        ],
+        places=named,
         window=check_whole("window", check_odd("window", window), (WINDOWS[0], WINDOWS[-1])),
         search=longest,
         noise=check_whole("noise", noise, (0, MAX_NOISE)),

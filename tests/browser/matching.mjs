@@ -39,10 +39,7 @@ async function pointAt(page, [u, v]) {
   const canvas = page.locator(PICTURE);
   const { x, y, width, height } = await canvas.boundingBox();
   const size = await canvas.evaluate((one) => [one.width, one.height]);
-  await page.mouse.move(
-    x + ((u + 0.5) / size[0]) * width,
-    y + ((v + 0.5) / size[1]) * height,
-  );
+  await page.mouse.move(x + ((u + 0.5) / size[0]) * width, y + ((v + 0.5) / size[1]) * height);
   return read(page);
 }
 

@@ -283,7 +283,9 @@ def test_the_page_adds_the_same_noise() -> None:
 
 def test_the_page_computes_the_same(pair: Pair, explorer: MatchingExplorer) -> None:
     settings = choose_settings(30, seed=5)
-    settings += [{**settings[0], "pixel": list(pixel)} for pixel in (*PLACES.values(), (2, 150), ())]
+    settings += [
+        {**settings[0], "pixel": list(pixel)} for pixel in (*PLACES.values(), (2, 150), ())
+    ]
     expected, given = [], []
     for setting in settings:
         explorer.move(**setting)
@@ -338,9 +340,10 @@ def test_colors_are_matched_in_gray(pair: Pair) -> None:
     np.testing.assert_array_equal(decode_gray(explorer.view.left_png), pair.left)
 
 
-def test_places_are_kept_in_their_order(pair: Pair) -> None:
-    places = make_explorer(pair, places={"z": (3, 4), "a": (5, 6)}).view.places
-    assert places == [["z", [3, 4]], ["a", [5, 6]]]
+def test_places_are_kept_in_their_order_and_the_first_is_chosen(pair: Pair) -> None:
+    explorer = make_explorer(pair, places={"z": (3, 4), "a": (5, 6)})
+    assert explorer.view.places == [["z", [3, 4]], ["a", [5, 6]]]
+    assert explorer.pixel == (3, 4)
 
 
 def test_starts_in_the_middle_with_the_longest_search(explorer: MatchingExplorer) -> None:

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
+  findLimit,
   formatCost,
   roundUp,
   sampleParabola,
@@ -108,7 +109,14 @@ test("a window that is not wholly inside cannot be shown", () => {
   assert.deepEqual([...cut(left, size, [1, 1], 3)].slice(0, 3), [...left.slice(0, 3)]);
 });
 
-test("limits of the curve are round and hold the highest cost", () => {
+test("the plot holds every valley, and lets what is far too different leave it", () => {
+  assert.equal(findLimit([], 9), 20);
+  assert.equal(findLimit([90, 180], 9), 20);
+  assert.equal(findLimit([1000, 9, 900, 990], 9), 150);
+  assert.equal(findLimit([9000, 9, 900, 720, 810], 9), 200);
+});
+
+test("limits of the curve are round", () => {
   assertNear([1, 1.2, 23, 95, 100, 1300].map(roundUp), [1, 1.5, 30, 100, 100, 1500]);
 });
 
