@@ -11,6 +11,7 @@ from labutils.explorers.depth_convention import DepthConventionExplorer, explore
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
 from labutils.explorers.fov import FovExplorer, explore_fov
 from labutils.explorers.hsv import HsvExplorer, explore_hsv
+from labutils.explorers.matching import MatchingExplorer, explore_matching
 from labutils.explorers.scene import SceneExplorer, explore_scene
 from labutils.explorers.stereo import StereoExplorer, explore_stereo
 
@@ -20,6 +21,7 @@ __all__ = [
     "DepthRangeExplorer",
     "FovExplorer",
     "HsvExplorer",
+    "MatchingExplorer",
     "SceneExplorer",
     "StereoExplorer",
     "explore_cloud",
@@ -27,6 +29,7 @@ __all__ = [
     "explore_depth_range",
     "explore_fov",
     "explore_hsv",
+    "explore_matching",
     "explore_scene",
     "explore_stereo",
 ]

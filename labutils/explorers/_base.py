@@ -244,17 +244,27 @@ def depth_to_steps(depth_metric: np.ndarray) -> np.ndarray:
 
 def encode_depth(depth_metric: np.ndarray) -> bytes:
     """Compress a depth image, in steps of `DEPTH_STEP`; what is no depth, or beyond, becomes 0."""
-    return _encode(depth_to_steps(depth_metric))
+    return encode_gray(depth_to_steps(depth_metric))
 
 
 def decode_depth(png: bytes) -> np.ndarray:
     """Read back what `encode_depth` wrote: float32 (H, W) in meters, 0 where there was none."""
-    return (_decode(png) * DEPTH_STEP).astype(np.float32)
+    return (decode_gray(png) * DEPTH_STEP).astype(np.float32)
 
 
 def decode_rgb(png: bytes) -> np.ndarray:
     """Read back what `encode_rgb` wrote: uint8 (H, W, 3), RGB."""
     return cv2.cvtColor(_decode(png), cv2.COLOR_BGR2RGB)
+
+
+def encode_gray(gray: np.ndarray) -> bytes:
+    """Compress one channel, uint8 or uint16 (H, W), losing nothing."""
+    return _encode(gray)
+
+
+def decode_gray(png: bytes) -> np.ndarray:
+    """Read back what `encode_gray` wrote."""
+    return _decode(png)
 
 
 def encode_mask(mask: np.ndarray) -> bytes:

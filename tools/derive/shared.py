@@ -14,7 +14,7 @@ from labutils import stereo
 from labutils._constants import MAX_HUE, TURN_WORLD
 from labutils.checks import progress_rules as rules
 from labutils.explorers import _depth_picture as picture
-from labutils.explorers import hsv
+from labutils.explorers import _stereo_pair, _window_match, hsv, matching
 from tools import ROOT
 
 STATIC = "labutils/explorers/static"
@@ -62,6 +62,18 @@ def list_explorer_constants() -> list[tuple[str, str, str]]:
             "[OUTSIDE, SEEN, HIDDEN]",
             "what the right eye sees of a point",
             str([stereo.OUTSIDE, stereo.SEEN, stereo.HIDDEN]),
+        ),
+        ("WINDOWS", "sides of the windows that are matched", str(list(_window_match.WINDOWS))),
+        (
+            "[SMALL_WINDOW, LARGE_WINDOW]",
+            "sides of the two windows that a goal compares",
+            str([matching.SMALL_WINDOW, matching.LARGE_WINDOW]),
+        ),
+        ("GOOD_PX", "a match is right up to this error in pixels", f"{matching.GOOD_PX:g}"),
+        (
+            "STRIP_SHARE",
+            "rows of the right picture, by those of the left one",
+            str(_stereo_pair.STRIP_SHARE),
         ),
         (f"[{', '.join(hsv.SHOWN).upper()}]", "what of a picture is shown", str([0, 1, 2])),
         ("DIM", "how bright a picture is where nothing is selected", str(hsv.DIM)),

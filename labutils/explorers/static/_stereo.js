@@ -58,12 +58,21 @@ export function findLinearError(depth, error, focal, baseline) {
  * @param {number} baseline
  */
 export function findRightState(u, row, focal, baseline) {
-  const own = findDisparity(row[u], focal, baseline);
+  const disparities = Float64Array.from(row, (z) => (z ? findDisparity(z, focal, baseline) : 0));
+  return findStateAmong(u, disparities);
+}
+
+/**
+ * The same of a row of disparities, 0 or NaN where there is none.
+ * @param {number} u
+ * @param {ArrayLike<number>} disparities
+ */
+export function findStateAmong(u, disparities) {
+  const own = disparities[u];
   const place = u - own;
   if (place < -0.5) return OUTSIDE;
-  for (let other = u + 1; other < row.length; other++) {
-    if (!row[other]) continue;
-    const disparity = findDisparity(row[other], focal, baseline);
+  for (let other = u + 1; other < disparities.length; other++) {
+    const disparity = disparities[other];
     if (disparity > own + 1 && Math.abs(other - disparity - place) <= 0.5) return HIDDEN;
   }
   return SEEN;

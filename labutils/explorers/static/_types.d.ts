@@ -95,6 +95,19 @@ type StereoModel = ViewModel<
   Scene & { valid_m: Pair; K: Matrix },
   { baseline_mm: number; error_px: number } & Picked
 >;
+type MatchingModel = ViewModel<
+  {
+    left_png: DataView<ArrayBuffer>;
+    right_png: DataView<ArrayBuffer>;
+    truth_png: DataView<ArrayBuffer>;
+    disparity_step: number;
+    K: Matrix;
+    baseline: number;
+    max_disparity: number;
+    places: [string, Pair][];
+  },
+  { window: number; search: number; noise: number } & Picked
+>;
 type CloudModel = ViewModel<
   Scene & {
     min_depth: number;
@@ -245,6 +258,41 @@ interface StereoSeen {
   z_far: number | null;
   error_mm: number | null;
   error_linear_mm: number;
+}
+/** Gray levels of both pictures. */
+interface GrayPair {
+  left: Uint8ClampedArray;
+  right: Uint8ClampedArray;
+  width: number;
+  height: number;
+}
+interface MatchScene extends GrayPair {
+  /** Focal length in pixels times baseline in meters. */
+  product: number;
+  /** True disparities of a row of the left picture, NaN where there is none. */
+  readRow(v: number): ArrayLike<number>;
+}
+/** What describeMatch in _matching.js tells. */
+type MatchValues = (Minimum | Nothing<Minimum>) & {
+  costs: number[];
+  truth: number | null;
+  true_depth: number | null;
+  right: number | null;
+  errors_px: (number | null)[];
+  small_window_px: number | null;
+  large_window_px: number | null;
+  right_windows: number | null;
+};
+/** The lowest point of a curve of costs. */
+interface Minimum {
+  disparity: number;
+  cost: number;
+  subpixel: number;
+  depth: number | null;
+  second: number | null;
+  ratio: number | null;
+  error_px: number | null;
+  depth_error_mm: number | null;
 }
 /** The same names, where there is no point to tell of. */
 type Nothing<Values> = { [Name in keyof Values]: null };
