@@ -17,11 +17,13 @@ if TYPE_CHECKING:
 #: Rows of the right picture that are shown, by those of the left one.
 STRIP_SHARE = 0.3
 _MAX_STEPS = 65535
+#: Posters of larger pictures are made smaller: noise makes them heavy.
+_POSTER_WIDTH = 320
 #: Okabe and Ito's orange and bluish green, as in the style sheet.
 _WHITE, _FOUND, _TRUE = (255, 255, 255), (230, 159, 0), (0, 158, 115)
 
 
-def check_gray_pair(left: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def make_gray_pair(left: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return two pictures of one size in gray, uint8 (H, W), or raise TypeError or ValueError."""
     pair = _to_gray("left", left), _to_gray("right", right)
     if pair[0].shape != pair[1].shape:
@@ -60,14 +62,6 @@ def check_whole(name: str, value: Any, limits: tuple[int, int]) -> int:
     return number
 
 
-def check_odd(name: str, value: Any, limits: tuple[int, int]) -> int:
-    """Return an odd number within limits."""
-    side = check_whole(name, value, limits)
-    if side % 2 == 0:
-        raise ValueError(f"{name}: expected an odd number of pixels, got {value}")
-    return side
-
-
 def draw_match(
     pictures: tuple[np.ndarray, np.ndarray],
     pixel: Sequence[int],
@@ -85,7 +79,9 @@ def draw_match(
     for disparity, color in ((true, _TRUE), (found, _FOUND)):
         if disparity is not None:
             _mark(strip, u - disparity, v - first, window, color)
-    return np.vstack([left, np.full((4, width, 3), 255, np.uint8), strip])
+    poster = np.vstack([left, np.full((4, width, 3), 255, np.uint8), strip])
+    shrink = max(1, width // _POSTER_WIDTH)
+    return cv2.resize(poster, None, fx=1 / shrink, fy=1 / shrink, interpolation=cv2.INTER_AREA)
 
 
 def _mark(picture: np.ndarray, u: int, v: int, window: int, color: tuple[int, int, int]) -> None:

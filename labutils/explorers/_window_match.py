@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from labutils.stereo_matching import matching_cost
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -33,28 +35,26 @@ def find_costs(
 
     Returns
     -------
-    ndarray, int64, shape (N,)
+    ndarray, float64, shape (N,)
         By disparity. N is smaller than `search` where the window would leave the right picture;
         0 where it leaves the left one.
     """
     (u, v), reach = pixel, window // 2
     height, width = left.shape
     if not (reach <= u < width - reach and reach <= v < height - reach):
-        return np.zeros(0, np.int64)
-    rows = slice(v - reach, v + reach + 1)
+        return np.zeros(0)
     count = min(search, u - reach + 1)
-    first = u - reach - count + 1
-    around = left[rows, u - reach : u + reach + 1].astype(np.int64)
-    band = right[rows, first : u + reach + 1].astype(np.int64)
-    candidates = np.lib.stride_tricks.sliding_window_view(band, window, axis=1)
-    off = candidates - around[:, None, :]
-    return np.asarray((off**2).sum(axis=(0, 2))[::-1])
+    # what no candidate of this pixel needs is not compared
+    band = np.s_[v - reach : v + reach + 1, u - reach - count + 1 : u + reach + 1]
+    costs = matching_cost(left[band], right[band], count, window)
+    return costs[:, reach, -1 - reach].astype(np.float64)
 
 
 def refine(costs: np.ndarray, disparity: int) -> float:
     """Move a disparity to the lowest point of the parabola through its cost and its neighbors'.
 
-    An end of the curve stays, and so does a minimum without a parabola: three equal costs.
+    As `labutils.stereo_matching.subpixel`, which rounds to float32, in double precision: an end of
+    the curve stays, and so does a minimum without a parabola.
     """
     if not 0 < disparity < costs.size - 1:
         return float(disparity)

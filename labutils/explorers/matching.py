@@ -13,6 +13,7 @@ import traitlets
 
 from labutils._guards import (
     check_intrinsics,
+    check_odd,
     check_pixel,
     check_positive,
 )
@@ -27,11 +28,10 @@ from labutils.explorers._goal import Goal, GoalPart
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._noise import add_noise
 from labutils.explorers._stereo_pair import (
-    check_gray_pair,
-    check_odd,
     check_whole,
     disparity_to_steps,
     draw_match,
+    make_gray_pair,
 )
 from labutils.explorers._window_match import (
     DISPARITY_STEP,
@@ -116,7 +116,7 @@ class MatchingView(PixelView):
 
     def _find_curves(self) -> list[np.ndarray]:
         if not self.pixel:
-            return [np.zeros(0, np.int64)] * len(WINDOWS)
+            return [np.zeros(0)] * len(WINDOWS)
         left, right = self.make_pictures()
         return [find_costs(left, right, self.pixel, one, self.search) for one in WINDOWS]
 
@@ -139,11 +139,11 @@ class MatchingView(PixelView):
         off = depth - disparity_to_depth(truth, self.K, self.baseline) if depth else np.nan
         return {
             "disparity": best,
-            "cost": int(costs[best]) / self.window**2,
+            "cost": float(costs[best]) / self.window**2,
             "subpixel": subpixel,
             "depth": depth,
             "second": second,
-            "ratio": None if second is None else int(costs[best]) / max(int(costs[second]), 1),
+            "ratio": None if second is None else float(costs[best] / max(costs[second], 1.0)),
             "error_px": subpixel - truth if is_known else None,
             "depth_error_mm": float(1000 * off) if is_known and depth else None,
         }
@@ -192,8 +192,8 @@ class MatchingExplorer(PixelExplorer):
 
     @property
     def costs(self) -> np.ndarray:
-        """Sums of squared differences by disparity, int64."""
-        return np.array(self.values["costs"], np.int64)
+        """Sums of squared differences by disparity, float64."""
+        return np.array(self.values["costs"])
 
 
 def explore_matching(
@@ -236,7 +236,7 @@ def explore_matching(
         Standard deviation of the noise that is added to both pictures at first, in gray levels:
         0 to 20.
     pixel : (u, v), optional
-        Chosen first; without it the middle of the picture.
+        Chosen first; without it the first of the places, else the middle of the picture.
     places : mapping of str to (u, v), optional
         Pixels worth a look. Each gets a button of that name.
 
@@ -252,13 +252,16 @@ def explore_matching(
         If the pictures are none or differ in size, the truth has another size, or a number lies
         outside its limits.
     """
-    gray_left, gray_right = check_gray_pair(left, right)
+    gray_left, gray_right = make_gray_pair(left, right)
     matrix, meters = check_intrinsics(K), check_positive("baseline", baseline, "meters")
     height, width = gray_left.shape
     longest = check_whole("max_disparity", max_disparity, _SEARCHED)
-    start = check_pixel(
-        "pixel", (width // 2, height // 2) if pixel is None else pixel, width, height
-    )
+    named = [
+        [name, list(check_pixel(f"places[{name!r}]", place, width, height))]
+        for name, place in (places or {}).items()
+    ]
+    first = named[0][1] if named else (width // 2, height // 2)
+    start = check_pixel("pixel", first if pixel is None else pixel, width, height)
     view = MatchingView(
         label="Matching explorer",
         help="Choose a pixel. Then change window, search and noise.",
@@ -268,11 +271,8 @@ def explore_matching(
         K=matrix.tolist(),
         baseline=meters,
         max_disparity=longest,
-        places=[
-            [name, list(check_pixel(f"places[{name!r}]", place, width, height))]
-            for name, place in (places or {}).items()
-        ],
-        window=check_odd("window", window, (WINDOWS[0], WINDOWS[-1])),
+        places=named,
+        window=check_whole("window", check_odd("window", window), (WINDOWS[0], WINDOWS[-1])),
         search=longest,
         noise=check_whole("noise", noise, (0, MAX_NOISE)),
         pixel=list(start),

@@ -13,6 +13,7 @@ from labutils.explorers import (
     explore_cloud,
     explore_depth_range,
     explore_hsv,
+    explore_matching,
     explore_scene,
     explore_stereo,
 )
@@ -28,6 +29,7 @@ MAKERS: dict[str, Callable[[], PixelExplorer]] = {
     "CloudView": lambda: explore_cloud(RGB, DEPTH, MATRIX),
     "DepthRangeView": lambda: explore_depth_range(DEPTH, clip=(0.02, 12.0)),
     "HsvView": lambda: explore_hsv(RGB),
+    "MatchingView": lambda: explore_matching(RGB, RGB, K=MATRIX, baseline=0.1),
     "SceneView": lambda: explore_scene(*make_scene(), width=WIDTH, height=HEIGHT),
     "StereoView": lambda: explore_stereo(RGB, DEPTH, MATRIX),
 }

@@ -53,8 +53,7 @@ export function makeCostCurve(parent, longest, choose) {
     /** @type {(values: MatchValues, window: number, search: number) => void} */
     show(values, window, asked) {
       [costs, pixels, search] = [values.costs, window * window, asked];
-      const highest = Math.max(0, ...costs) / pixels;
-      plot.setLimits([-0.5, longest - 0.5], [0, roundUp(Math.max(highest, LEAST))]);
+      plot.setLimits([-0.5, longest - 0.5], [0, findLimit(costs, pixels)]);
       const from = plot.x(search - 0.5);
       setShape(beyond, { x: from, width: Math.max(0, area.right - from) });
       setShape(curve, { d: toPath(costs.map((cost, d) => toPlace(d, cost))) });
@@ -132,6 +131,19 @@ export function sampleParabola(costs, best) {
     points.push([best + x, here + slope * x + bend * x * x]);
   }
   return points;
+}
+
+/**
+ * How high the plot is: what is far too different may leave it, or all valleys would look flat.
+ * @param {number[]} costs
+ * @param {number} pixels
+ */
+export function findLimit(costs, pixels) {
+  const sorted = costs.map((cost) => cost / pixels).sort((a, b) => a - b);
+  const most = sorted.length
+    ? Math.min(sorted[sorted.length - 1], 2 * sorted[sorted.length >> 1])
+    : 0;
+  return roundUp(Math.max(most, LEAST));
 }
 
 /**
