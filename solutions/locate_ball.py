@@ -45,12 +45,12 @@ EXERCISE = Exercise(
     name="locate_ball",
     title="FILL: what the learner does, in a few words",
     chapter="following",
-    place=1,
+    place=2,
     points=0,
     # FILL: the next line: the label of the section to read again
-    section="following-first",
+    section="following-center",
     # FILL: the next line: the objectives it practices
-    objectives=("7a",),
+    objectives=("7b",),
     reference=locate_ball,
     answer_with=_answer_with,
     # FILL: the next line: what comes back, one Part each; see Part for the kinds
