@@ -10,8 +10,9 @@ import labutils
 from solutions._model import Absorbed, Case, Exercise, Misconception, Part, asked, given
 from solutions._simpler import Simplification, put
 
-#: Low and high of pan and of tilt; wide enough for every mistake, too.
+#: Low and high of pan and of tilt: wide enough for every mistake, and too narrow for every pixel.
 _FAR_LIMITS = ((-150.0, 150.0), (-150.0, 150.0))
+_NARROW_LIMITS = ((-0.09, 0.11), (-0.12, 0.08))
 
 _Limits = tuple[tuple[float, float], tuple[float, float]]
 
@@ -96,6 +97,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
         _make_beyond(rng, "on the left and low, with the neck near its limits", (-1, 1)),
         _make_beyond(rng, "on the right and high, with the neck near its limits", (1, -1)),
         _make_case(rng, "a neck that may turn round many times", (1, -1), _FAR_LIMITS),
+        _make_case(rng, "a neck that hardly turns", (1, 1), _NARROW_LIMITS),
     )
 
 
@@ -119,11 +121,6 @@ EXERCISE = Exercise(
         Simplification("straight", "the neck is straight", put(pan=0.0, tilt=0.0)),
         Simplification("far-limits", "the limits are far away", put(limits=_FAR_LIMITS)),
         Simplification("near-the-middle", "the pixel is near the middle", _look_near),
-        Simplification(
-            "middle-row",
-            "the pixel is in the row of the middle",
-            lambda a: {"pixel": (a["pixel"][0], float(a["K"][1, 2]))},
-        ),
     ),
     parts=(Part("command", "vector", "float", atol=2e-5, unit="rad"),),
     tolerance_reason=(
@@ -208,6 +205,7 @@ show(view, f"pan, tilt {np.round(turned.qpos, 3)} rad")""",
             "mistake no-limits",
             "case on the left and low",
             "case on the right and high",
+            "case a neck that hardly turns",
         ),
         asked("compute", "Compute the angles of the neck", "value"),
         asked(
