@@ -12,7 +12,7 @@ from solutions._simpler import Simplification, put
 
 #: Low and high of pan and of tilt: wide enough for every mistake, and too narrow for every pixel.
 _FAR_LIMITS = ((-150.0, 150.0), (-150.0, 150.0))
-_NARROW_LIMITS = ((-0.09, 0.11), (-0.12, 0.08))
+_NARROW_LIMITS = ((-0.32, 0.35), (-0.35, 0.31))
 
 _Limits = tuple[tuple[float, float], tuple[float, float]]
 

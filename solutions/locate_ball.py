@@ -295,5 +295,4 @@ show(center, f"center in m, {1000 * np.linalg.norm(off):.1f} mm off")""",
         ),
         Absorbed("mask-ignored", "no-empty-case", "a whole picture is never without a valid depth"),
     ),
-    imports=("import numpy as np", "import labutils as lab"),
 )
