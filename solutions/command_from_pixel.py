@@ -89,6 +89,15 @@ def _make_beyond(rng: np.random.Generator, label: str, sides: tuple[int, int]) -
     return Case(label, (pixel, K, round(pan, 3), round(tilt, 3), limits))
 
 
+def _make_part(rng: np.random.Generator, label: str) -> Case:
+    """Make a picture that was cut out at the lower right: its principal point lies outside."""
+    pixel, K, pan, tilt, _ = _make_case(rng, label, (1, 1)).args
+    cut = np.floor(K[:2, 2] * rng.uniform(1.1, 1.3))
+    K[:2, 2] -= cut
+    u, v = np.round(np.array(pixel) - cut, 1).tolist()
+    return Case(label, ((u, v), np.round(K, 3), pan, tilt, _FAR_LIMITS))
+
+
 def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
     return (
         _make_case(rng, "something on the right, below the middle", (1, 1)),
@@ -96,7 +105,7 @@ def _make_cases(rng: np.random.Generator) -> tuple[Case, ...]:
         _make_near(rng, "something a little off the middle"),
         _make_beyond(rng, "on the left and low, with the neck near its limits", (-1, 1)),
         _make_beyond(rng, "on the right and high, with the neck near its limits", (1, -1)),
-        _make_case(rng, "a neck that may turn round many times", (1, -1), _FAR_LIMITS),
+        _make_part(rng, "a neck that may turn round many times, a part of a picture"),
         _make_case(rng, "a neck that hardly turns", (1, 1), _NARROW_LIMITS),
     )
 
@@ -228,6 +237,7 @@ show(view, f"pan, tilt {np.round(turned.qpos, 3)} rad")""",
             "mistake wrong-center",
             "mistake from-the-corner",
         ),
+        asked("part", "a part of a larger one", "case a neck that may turn round"),
         given("angle-then", "in the moment the picture was taken"),
         asked("limits", "what lies beyond is cut off", "mistake no-limits"),
         asked("radians", "The angles to command", "mistake degrees", "mistake no-limits"),
@@ -236,7 +246,11 @@ show(view, f"pan, tilt {np.round(turned.qpos, 3)} rad")""",
     hidden=_make_cases,
     asks={
         "pixel": "tuple of (u, v)\nColumn and row.",
-        "K": "ndarray, float64, shape (3, 3)\nIntrinsic matrix of the camera.",
+        "K": (
+            "ndarray, float64, shape (3, 3)\n"
+            "Intrinsic matrix of the camera. Where the picture is a part of a larger one, the "
+            "principal point may lie outside."
+        ),
         "limits": (
             "((low, high), (low, high))\n"
             "Of pan and of tilt, in radians; what lies beyond is cut off."

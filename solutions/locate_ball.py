@@ -260,7 +260,7 @@ show(center, f"center in m, {1000 * np.linalg.norm(off):.1f} mm off")""",
         asked("along-the-axis", "Meters along the optical axis", "mistake ray-length"),
         asked("valid", "Not valid are depths", "mistake depth-lost", "case a ball with NaN"),
         given("intrinsics", "Intrinsic matrix"),
-        given("part", "a part of a larger one"),
+        asked("part", "a part of a larger one", "every case"),
         given("radius", "Of the ball, meters"),
         asked("frame", "in the camera frame (x right", "mistake row-column"),
         asked(
