@@ -70,11 +70,16 @@ def lose_depth(rng: np.random.Generator, case: Case, label: str, *values: float)
     mask, depth, K, radius = case.args
     depth = depth.copy()
     rows, columns = np.nonzero(mask)
-    v, u = int(rows.mean()), int(columns.mean())
     some = rng.choice(len(rows), size=len(rows) // 12, replace=False)
     depth[rows[some], columns[some]] = rng.choice(values, size=len(some)).astype(np.float32)
-    depth[v : v + 2, u : u + 2] = values[0]
+    depth[_find_middle(mask)] = values[0]
     return Case(label, (mask, depth, K, radius))
+
+
+def _find_middle(mask: np.ndarray) -> tuple[slice, slice]:
+    """Return the few pixels at the middle of a ball: those to which a centroid may be rounded."""
+    v, u = (int(one.mean()) for one in np.nonzero(mask))
+    return np.s_[v : v + 2, u : u + 2]
 
 
 def widen_mask(rng: np.random.Generator, case: Case, label: str) -> Case:
@@ -95,7 +100,8 @@ def make_nothing(case: Case, empty: str, lost: str) -> tuple[Case, Case]:
     """Make a mask without a pixel, and one of which no pixel has a valid depth."""
     mask, depth, K, radius = case.args
     without = depth.copy()
-    without[mask > 0] = np.resize(np.float32([0, 12, np.nan, 10, 0.01]), np.count_nonzero(mask))
+    without[mask > 0] = np.resize([0, 12, 10, 0.01], np.count_nonzero(mask))
+    without[_find_middle(mask)] = 0
     return (
         Case(empty, (np.zeros_like(mask), depth, K, radius)),
         Case(lost, (mask, without, K, radius)),

@@ -22,10 +22,9 @@ def command_by_ray(pixel: Any, K: Any, pan: Any, tilt: Any, limits: Any) -> Any:
 def command_by_complex_number(pixel: Any, K: Any, pan: Any, tilt: Any, limits: Any) -> Any:
     f, c, place = np.diag(K)[:2], K[:2, 2], np.asarray(pixel)
     change = np.angle(f + 1j * (place - c))
-    angles = []
-    for angle, (low, high) in zip((pan - change[0], tilt + change[1]), limits, strict=True):
-        angles.append(low if angle < low else high if angle > high else angle)
-    return angles
+    angles = (pan - change[0], tilt + change[1])
+    # The middle of three numbers is the one that lies between the others.
+    return [sorted((angle, *ends))[1] for angle, ends in zip(angles, limits, strict=True)]
 
 
 def command_in_single_precision(pixel: Any, K: Any, pan: Any, tilt: Any, limits: Any) -> Any:

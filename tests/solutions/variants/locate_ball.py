@@ -95,7 +95,7 @@ def ball_by_its_mean_ray(mask: Any, depth: Any, K: Any, radius: Any) -> Any:
         return None
     way = np.median(points / points[:, 2:], axis=0)
     distances = np.linalg.norm(points, axis=1)
-    # Half of a disk lies within 0.71 of its radius: there the front is 0.71 radii before the center.
+    # Half of a disk lies within 0.71 of its radius; there the front is 0.71 radii nearer.
     return way / np.linalg.norm(way) * (np.median(distances) + radius / np.sqrt(2))
 
 
