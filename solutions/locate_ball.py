@@ -29,8 +29,8 @@ def locate_ball(
 ) -> np.ndarray | None:
     """Locate the center of a ball of known size in the camera frame.
 
-    The ball is wholly in the picture, and nothing hides it. A center that is up to 1 cm off in
-    each coordinate is right, so there are many ways.
+    The ball is wholly in the picture, more than 20 pixels wide, and nothing hides it. A center
+    that is up to 1 cm off in each coordinate is right, so there are many ways.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def locate_ball(
         Intrinsic matrix. Where the picture is a part of a larger one, the principal point may lie
         outside.
     radius : float
-        Of the ball, meters.
+        Of the ball, meters, up to 0.065.
 
     Returns
     -------

@@ -31,10 +31,10 @@ def _command_from_pixel(rng: np.random.Generator) -> tuple[Any, ...]:
 
 
 def _locate_ball(rng: np.random.Generator) -> tuple[Any, ...]:
-    """Draw a ball of 20 pixels and more, wholly in the picture, before a wall that is no part."""
-    height, width = map(int, rng.integers(36, 60, size=2))
-    radius = float(rng.uniform(0.04, 0.08))
-    z, size_px = float(rng.uniform(0.4, 1.4)), float(rng.uniform(22, 30))
+    """Draw a ball wholly in the picture, before a wall and behind what is no part of it."""
+    height, width = map(int, rng.integers(46, 60, size=2))
+    radius = float(rng.uniform(0.03, 0.065))
+    z, size_px = float(rng.uniform(0.4, 1.4)), float(rng.uniform(23, 30))
     focal_px = size_px * z / (2 * radius)
     slope = rng.uniform(-0.35, 0.35, size=2)
     middle = np.array([width, height]) / 2
@@ -44,10 +44,10 @@ def _locate_ball(rng: np.random.Generator) -> tuple[Any, ...]:
     inside = np.isfinite(ball)
     depth = np.where(inside, ball, np.float32(z + rng.uniform(4, 10) * radius))
     mask = inside.copy()
-    if rng.random() < 0.6:
-        lost = inside & (rng.random(ball.shape) < rng.choice([0.02, 0.1, 1.0]))
-        depth[lost] = rng.choice(_NO_DEPTH, size=np.count_nonzero(lost))
-    if rng.random() < 0.5:  # some of the wall, right of the ball
+    share = rng.choice([0, 0.02, 0.1, 1])
+    lost = inside & (rng.random(ball.shape) < share)
+    depth[lost] = rng.choice(_NO_DEPTH, size=np.count_nonzero(lost))
+    if share < 1 and rng.random() < 0.5:  # some of the wall, right of the ball
         mask[:, 1:] |= inside[:, :-1] & (rng.random((height, width - 1)) < 0.4)
     if rng.random() < 0.3:
         depth[:5, :4] = rng.uniform(0.02, 0.3)
