@@ -35,8 +35,8 @@ def locate_ball(
     Parameters
     ----------
     mask : ndarray, uint8, (H, W)
-        255 on the ball, 0 elsewhere; with a hole where the ball shines, and some pixels at its
-        border that see the wall far behind.
+        255 on the ball, 0 elsewhere. It may have a hole where the ball shines, and some pixels at
+        its border that see the wall far behind.
     depth : ndarray, float32, (H, W)
         Meters along the optical axis. Not valid are depths up to 0.01 m, from 10 m on, infinity
         and NaN; also pixels of the ball may be without a valid depth.
@@ -250,13 +250,8 @@ show(center, f"center in m, {1000 * np.linalg.norm(off):.1f} mm off")""",
             "mistake smallest-depth",
             "mistake axis-for-ray",
         ),
-        asked(
-            "mask",
-            "255 on the ball",
-            "mistake mask-ignored",
-            "mistake wall-kept",
-            "case a mask with a hole",
-        ),
+        asked("mask", "255 on the ball", "mistake mask-ignored"),
+        asked("not-perfect", "It may have a hole", "mistake wall-kept", "case a mask with a hole"),
         asked("along-the-axis", "Meters along the optical axis", "mistake ray-length"),
         asked("valid", "Not valid are depths", "mistake depth-lost", "case a ball with NaN"),
         given("intrinsics", "Intrinsic matrix"),
