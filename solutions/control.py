@@ -47,12 +47,12 @@ EXERCISE = Exercise(
     name="control",
     title="FILL: what the learner does, in a few words",
     chapter="following",
-    place=2,
+    place=3,
     points=0,
     # FILL: the next line: the label of the section to read again
-    section="following-first",
+    section="following-loop",
     # FILL: the next line: the objectives it practices
-    objectives=("7b",),
+    objectives=("7c",),
     reference=control,
     answer_with=_answer_with,
     # FILL: the next line: what comes back, one Part each; see Part for the kinds

@@ -172,4 +172,6 @@ def is_same(one: Any, other: Any) -> bool:
         )
     if isinstance(one, dict):
         return one.keys() == other.keys() and all(is_same(one[key], other[key]) for key in one)
+    if isinstance(other, np.ndarray):
+        return False  # None == array compares element by element
     return one is other or bool(one == other)

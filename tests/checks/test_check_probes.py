@@ -144,6 +144,14 @@ def test_no_repair_is_told_where_nothing_was_answered() -> None:
     assert verdict.probe == "simpler:large-hand"
 
 
+def test_nothing_and_an_array_are_two_answers() -> None:
+    # None == array would be an array of truth values
+    some = (np.zeros(3),)
+    assert not probes.is_identical((None,), some)
+    assert not probes.is_identical(some, (None,))
+    assert probes.is_identical((None,), (None,))
+
+
 def test_a_right_function_is_not_called_again() -> None:
     calls: list[int] = []
     table = load_table("intrinsics_matrix")

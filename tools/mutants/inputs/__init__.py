@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tools.mutants.inputs import clouds, numbers, pictures, scenes, stereo
+from tools.mutants.inputs import clouds, following, numbers, pictures, scenes, stereo
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,6 +21,7 @@ MAKERS: dict[str, Callable[[np.random.Generator], tuple[Any, ...]]] = {
     **pictures.MAKERS,
     **clouds.MAKERS,
     **scenes.MAKERS,
+    **following.MAKERS,
     **stereo.MAKERS,
 }
 
@@ -31,6 +32,7 @@ FEWER_DRAWS = {
     "get_camera_intrinsics": 500,
     "rank_cameras": 500,
     "level_cloud": 150,
+    "locate_ball": 1000,
     "ssd_disparity": 2000,
 }
 
