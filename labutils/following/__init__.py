@@ -8,6 +8,7 @@ from labutils.following.commands import command_from_pixel
 from labutils.following.loop import FollowingLoop
 from labutils.following.record import FollowingRecord, FollowingScore
 from labutils.following.state import FollowingState
+from labutils.following.things import Thing, find_thing, find_things
 
 __all__ = [
     "BallPath",
@@ -15,5 +16,8 @@ __all__ = [
     "FollowingRecord",
     "FollowingScore",
     "FollowingState",
+    "Thing",
     "command_from_pixel",
+    "find_thing",
+    "find_things",
 ]

@@ -112,6 +112,8 @@ class FollowingRecord:
     @property
     def center_error_mm(self) -> np.ndarray:
         """How far the told center is from where the ball was in the picture, in mm, (N,)."""
+        if not self.time.size:  # nothing to look between
+            return np.empty(0)
         axes = [np.interp(self.seen_time, self.time, self.ball[:, axis]) for axis in range(3)]
         return 1000 * np.linalg.norm(self.center - np.stack(axes, axis=1), axis=1)
 
