@@ -9,6 +9,7 @@ from __future__ import annotations
 from labutils.explorers.cloud import CloudExplorer, explore_cloud
 from labutils.explorers.depth_convention import DepthConventionExplorer, explore_depth_convention
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
+from labutils.explorers.following import FollowingExplorer, explore_following
 from labutils.explorers.fov import FovExplorer, explore_fov
 from labutils.explorers.hsv import HsvExplorer, explore_hsv
 from labutils.explorers.scene import SceneExplorer, explore_scene
@@ -18,6 +19,7 @@ __all__ = [
     "CloudExplorer",
     "DepthConventionExplorer",
     "DepthRangeExplorer",
+    "FollowingExplorer",
     "FovExplorer",
     "HsvExplorer",
     "SceneExplorer",
@@ -25,6 +27,7 @@ __all__ = [
     "explore_cloud",
     "explore_depth_convention",
     "explore_depth_range",
+    "explore_following",
     "explore_fov",
     "explore_hsv",
     "explore_scene",
