@@ -162,8 +162,8 @@ class FollowingExplorer(Explorer):
         controls = {
             "gain": make_slider("gain", GAINS, 0.05, digits=2),
             "delay": make_slider("delay", DELAYS, 1, unit="commands"),
-            "noise": make_slider("noise", NOISES, 0.5, unit="gray levels", digits=1),
-            "speed": make_slider("ball's speed", SPEEDS, 0.05, unit="m/s", digits=2),
+            "noise": make_slider("noise", NOISES, 0.5, unit="levels", digits=1),
+            "speed": make_slider("ball", SPEEDS, 0.05, unit="m/s", digits=2),
         }
         self._run = run
         super().__init__(view, controls)
@@ -269,7 +269,7 @@ def explore_following(
     options: dict[str, Any] = {"seed": seed, "width": width, "height": height}
     view = FollowingView(
         label="Following explorer",
-        help="Your control moves the head: run it, hide the ball, change a slider on the way.",
+        help="Run your control, hide the ball, change a slider on the way.",
         size=[width, height],
         near_px=NEAR_PX * width / FULL_WIDTH,
     )

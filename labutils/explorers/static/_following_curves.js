@@ -44,18 +44,20 @@ export function toBrokenPath(points) {
  * @param {"error_px" | "error_mm"} options.name
  * @param {string} options.label
  * @param {string} options.unit
+ * @param {string} options.missing why there is nothing to be seen
  * @param {number} options.bound
  */
-export function makeErrorPlot(parent, { name, label, unit, bound }) {
-  const x = { label: "time (s)" };
-  const plot = makePlot(parent, { height: 150, left: 34, x, y: { label } });
+export function makeErrorPlot(parent, { name, label, unit, missing, bound }) {
+  const [x, y] = [{ label: "time (s)" }, { label: `${label}, dashed: ${bound}` }];
+  const plot = makePlot(parent, { height: 200, left: 38, x, y });
   const { area, inside, above } = plot;
   const tall = { y: area.top, height: area.bottom - area.top };
   const hidden = addShape(inside, "g");
   const limit = addShape(inside, "path", { class: "explorer-rival dashed" });
   const curve = addShape(inside, "path", { class: "explorer-curve" });
   const now = addShape(inside, "path", { class: "explorer-pixel-line" });
-  const note = addShape(above, "text", { class: "halo soft", "text-anchor": "end" });
+  const middle = { x: (area.left + area.right) / 2, y: (area.top + area.bottom) / 2 };
+  const note = addShape(above, "text", { class: "soft", "text-anchor": "middle", ...middle });
   return {
     /**
      * @param {FollowingFrame[]} frames
@@ -77,8 +79,8 @@ export function makeErrorPlot(parent, { name, label, unit, bound }) {
         ),
       });
       setShape(limit, { d: `M${area.left} ${plot.y(bound)}H${area.right}` });
-      setShape(note, { x: area.right - 2, y: plot.y(bound) - 4 });
-      note.textContent = `bound: ${bound} ${unit}`;
+      const isMissing = seen.length > 0 && seen.every(({ moment }) => moment[name] === null);
+      note.textContent = isMissing ? missing : "";
       setShape(now, { d: `M${plot.x(time)} ${area.top}V${area.bottom}` });
       const spans = findHidden(seen, dt).map(([start, end]) => [plot.x(start), plot.x(end)]);
       hidden.replaceChildren();

@@ -17,7 +17,7 @@ import { defineView, drawOnChange, make, setTraits } from "./_frame.js";
 const LIVE = "Live: Python runs your control, one command after the other.";
 const LOST = "Python does not answer. Run the cell again.";
 const LONGEST =
-  "88.88 s: the ball is 188.8 px from the middle (mean 188.8 px), hidden by the board; its center is 888 mm off (mean 888 mm).";
+  "88.88 s: 188.8 px from the middle (mean 188.8 px), hidden; center 888 mm off (mean 888 mm).";
 
 export default defineView("following", start);
 
@@ -148,9 +148,16 @@ function makePlots(model, parent) {
       name: "error_px",
       label: "ball from the middle (px)",
       unit: "px",
+      missing: "behind the robot",
       bound: nearPx,
     }),
-    makeErrorPlot(pair, { name: "error_mm", label: "center (mm)", unit: "mm", bound: nearMm }),
+    makeErrorPlot(pair, {
+      name: "error_mm",
+      label: "center (mm)",
+      unit: "mm",
+      missing: 'memory["center"] is not set',
+      bound: nearMm,
+    }),
   ];
 }
 
@@ -196,8 +203,8 @@ function makeScrubber(model, parent) {
 function tellRecorded(model) {
   const { gain, delay, noise, speed } = model.get("recorded");
   return (
-    `A recording with gain ${gain}, a delay of ${delay} x 50 ms, noise ${noise}, ${speed} m/s. ` +
-    "Sliders, and the board that hides the ball, act when Python runs: press Run on this cell."
+    `A recording: gain ${gain}, delay ${delay}, noise ${noise}, ${speed} m/s. Press Run on this ` +
+    "cell, and sliders and board act."
   );
 }
 
@@ -219,9 +226,9 @@ function inWords({ time, error_px, error_mm, is_hidden, mean_px, mean_mm }) {
   const center =
     error_mm === null && mean_mm === null
       ? ""
-      : `; its center is ${write(error_mm, 0, "mm")} off${mean(write(mean_mm, 0, "mm"))}`;
+      : `; center ${write(error_mm, 0, "mm")} off${mean(write(mean_mm, 0, "mm"))}`;
   return (
-    `${time.toFixed(2)} s: the ball is ${write(error_px, 1, "px")} from the middle` +
-    `${mean(write(mean_px, 1, "px"))}${is_hidden ? ", hidden by the board" : ""}${center}.`
+    `${time.toFixed(2)} s: ${write(error_px, 1, "px")} from the middle` +
+    `${mean(write(mean_px, 1, "px"))}${is_hidden ? ", hidden" : ""}${center}.`
   );
 }
