@@ -88,12 +88,12 @@ class FollowingRun:
         #: What is told of each command, in their order.
         self.moments: list[dict[str, Any]] = []
         self._balls: dict[float, np.ndarray] = {}  # by the time at which the ball was there
-        self._found_from = 0.0  # when the ball was last there to be found
+        self._was_hidden, self._revealed = False, 0.0
 
     def hide(self) -> None:
-        """Let the board hide the ball from now on, for `HIDE_S`."""
-        now = self.loop.time
-        self.loop.hidden = (*self.loop.hidden, (now, now + HIDE_S))
+        """Let the board hide the ball for `HIDE_S`, from when the neck has moved next."""
+        start = self.loop.time + DT / 2
+        self.loop.hidden = (*self.loop.hidden, (start, start + HIDE_S))
 
     def step(self) -> dict[str, Any]:
         """Give one command; return what was true when it was given.
@@ -124,9 +124,11 @@ class FollowingRun:
     def _tell(self, moment: FollowingMoment, T_world_cam: np.ndarray) -> dict[str, Any]:
         """Say in plain numbers what was true; None stands for what is not known."""
         self._balls[moment.time] = moment.ball
-        if moment.is_hidden:
-            self._found_from = moment.time + DT
-        follows = moment.time - self._found_from >= SETTLING_S - 1e-9
+        if self._was_hidden and not moment.is_hidden:
+            self._revealed = moment.time
+        self._was_hidden = moment.is_hidden
+        # as `FollowingRecord.is_measured`, which knows the whole run
+        follows = not moment.is_hidden and moment.time >= self._revealed + SETTLING_S
         off = np.hypot(*(moment.pixel - self.loop.K[:2, 2]))
         wrong = np.linalg.norm(moment.center - self._balls[moment.seen_time])
         in_camera = (np.linalg.inv(T_world_cam) @ [*moment.center, 1.0])[None, :3]
@@ -140,7 +142,7 @@ class FollowingRun:
             "error_px": _to_plain(off, 3),
             "error_mm": _to_plain(1000 * float(wrong), 2),
             "is_hidden": moment.is_hidden,
-            "is_measured": bool(follows),
+            "is_measured": follows,
             "delay_ms": round(1000 * (moment.time - moment.seen_time)),
             "render_ms": round(1000 * moment.render_s),
             "control_ms": round(1000 * moment.control_s, 1),

@@ -64,6 +64,15 @@ async function wait(page, place, test, value) {
   await page.waitForFunction(eval(code), [root, value], { timeout: LONGEST_MS });
 }
 
+/** Waits until the step that was on its way has come. */
+async function waitUntilStill(page, place) {
+  for (let before = -1, now = 0; before !== now; ) {
+    before = now;
+    await page.waitForTimeout(1500);
+    now = (await read(place)).steps;
+  }
+}
+
 async function useRecording(page, place) {
   await place.locator('.explorer[data-state="ready"]').waitFor();
   const first = await read(place);
@@ -78,6 +87,7 @@ async function useRecording(page, place) {
   await press(place, "Play");
   await wait(page, place, "JSON.parse(dataset.values).time > 0.4");
   await press(place, "Pause");
+  await place.getByRole("button", { name: "Play", exact: true }).waitFor();
   const paused = await read(place);
   const pictureHasChanged = last !== (await picture());
   const scrubber = place.locator("input[type=range]");
@@ -110,6 +120,8 @@ async function useLive(page, place) {
   await wait(page, place, delayed);
   seen.delayed = await read(place);
   await press(place, "Pause");
+  await place.getByRole("button", { name: "Run", exact: true }).waitFor();
+  await waitUntilStill(page, place);
   seen.python = await ask(
     page,
     `import gc, json

@@ -25,6 +25,7 @@ export function makePlayer(model, frames, { draw, begin, fail }) {
     hear(answer, buffers) {
       if (answer.kind === "ready") {
         frames.length = 0;
+        if (model.get("moment") !== LAST) setTraits(model, { moment: LAST });
         begin(buffers[0], buffers[1]);
       } else if (answer.problem) {
         isRunning = false;
@@ -105,7 +106,6 @@ export function makePlayer(model, frames, { draw, begin, fail }) {
     restart() {
       if (isLive) {
         wantsRestart = true;
-        setTraits(model, { moment: LAST });
         next();
       } else setTraits(model, { moment: 0 });
     },
