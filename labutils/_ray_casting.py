@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import mujoco
@@ -18,6 +19,11 @@ if TYPE_CHECKING:
 check_mujoco_version(
     getattr(mujoco, "__version__", "")
 )  # before a ray passes through what it should hit
+
+#: Rows and columns of tiles into which a picture is split.
+_TILES = (3, 4)
+#: Radians that no rounding reaches.
+_SLACK = 1e-6
 
 
 def get_pixel_rays(
@@ -88,36 +94,78 @@ def cast_rays(
     """
     option = mujoco.MjvOption() if scene_option is None else scene_option
     lengths = np.linalg.norm(rays, axis=-1)
-    count = lengths.size
-    geom_ids = np.full(count, -1, dtype=np.int32)
-    distances = np.full(count, -1.0)
-    normals = np.zeros(count * 3)
-    mujoco.mj_multiRay(
-        _look_at_every_geom(model),
-        data,
-        np.asarray(origin, dtype=np.float64),
-        (rays / lengths[..., None]).ravel(),
-        np.array(option.geomgroup, dtype=np.uint8),
-        bool(option.flags[mujoco.mjtVisFlag.mjVIS_STATIC]),
-        -1,  # no body is left out
-        geom_ids,
-        distances,
-        normals,
-        count,
-        mujoco.mjMAXVAL,
+    directions = rays / lengths[..., None]
+    origin = np.asarray(origin, dtype=np.float64)
+    groups = np.array(option.geomgroup, dtype=np.uint8)
+    sees_static = bool(option.flags[mujoco.mjtVisFlag.mjVIS_STATIC])
+    geom_ids = np.full(lengths.shape, -1, dtype=np.int32)
+    distances = np.full(lengths.shape, -1.0)
+    normals = np.zeros(rays.shape)
+    nearby = _NearbyGeoms(model, data, origin)
+    for tile in _split(*lengths.shape):
+        seen = directions[tile]
+        count = seen[..., 0].size
+        answer = np.full(count, -1, dtype=np.int32), np.full(count, -1.0), np.zeros(3 * count)
+        mujoco.mj_multiRay(
+            nearby.choose(seen.reshape(-1, 3)),
+            data,
+            origin,
+            seen.ravel(),
+            groups,
+            sees_static,
+            -1,  # no body is left out
+            *answer,
+            count,
+            mujoco.mjMAXVAL,
+        )
+        for whole, part in zip((geom_ids, distances, normals), answer, strict=True):
+            whole[tile] = part.reshape(whole[tile].shape)
+    return np.where(geom_ids >= 0, distances / lengths, np.nan), geom_ids, normals
+
+
+def _split(height: int, width: int) -> list[tuple[slice, slice]]:
+    """Split a picture into tiles: few things are seen in each, and each costs a call."""
+    rows, columns = (
+        np.linspace(0, size, min(most, size) + 1).round().astype(int)
+        for size, most in zip((height, width), _TILES, strict=True)
     )
-    depth = np.where(geom_ids >= 0, distances / lengths.ravel(), np.nan)
-    shape = lengths.shape
-    return depth.reshape(shape), geom_ids.reshape(shape), normals.reshape(*shape, 3)
+    return [
+        (slice(top, bottom), slice(left, right))
+        for top, bottom in pairwise(rows)
+        for left, right in pairwise(columns)
+    ]
 
 
-def _look_at_every_geom(model: mujoco.MjModel) -> mujoco.MjModel:
-    """Return a copy of which ``mj_multiRay`` skips no geom.
+class _NearbyGeoms:
+    """A copy of a model of which ``mj_multiRay`` tries no geom that a bundle of rays cannot hit.
 
-    It skips a body whose bounding sphere a ray misses, and that sphere holds only geoms that
-    collide: what is there to be seen alone, as a robot's visual meshes, it may pass through. A body
-    without a tree of bounds is never skipped. ``mj_ray`` skips nothing either, one ray at a time.
+    A ray that misses the sphere around a geom misses the geom, so what is hit stays the same, to
+    the last bit. MuJoCo itself skips whole bodies, and too many: the sphere around a body holds
+    only geoms that collide, so rays would pass through what is there to be seen alone, as a
+    robot's visual meshes. A body without a tree of bounds is never skipped.
     """
-    shown = copy.copy(model)
-    shown.body_bvhadr[:] = -1
-    return shown
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, origin: np.ndarray) -> None:
+        self._shown = copy.copy(model)
+        self._shown.body_bvhadr[:] = -1
+        self._materials = model.geom_matid.copy()
+        self._alphas = model.geom_rgba[:, 3].copy()
+        away = data.geom_xpos - origin
+        distances = np.maximum(np.linalg.norm(away, axis=1), mujoco.mjMINVAL)
+        self._directions = away / distances[:, None]
+        radii = model.geom_rbound
+        self._spreads = np.arcsin(np.minimum(radii / distances, 1.0)) + _SLACK
+        # a plane has no end, and a radius of 0; who is inside a sphere looks at it everywhere
+        self._spreads[(radii <= 0) | (distances <= radii)] = np.pi
+
+    def choose(self, directions: np.ndarray) -> mujoco.MjModel:
+        """Hide what no ray (unit vectors, (N, 3)) can hit; the copy is good until the next call."""
+        axis = directions.mean(axis=0)
+        axis /= max(float(np.linalg.norm(axis)), mujoco.mjMINVAL)
+        width = np.arccos(np.clip((directions @ axis).min(), -1.0, 1.0))
+        angles = np.arccos(np.clip(self._directions @ axis, -1.0, 1.0))
+        can_be_hit = angles <= width + self._spreads
+        # MuJoCo's rays pass through what is transparent by a color of its own
+        self._shown.geom_matid[:] = np.where(can_be_hit, self._materials, -1)
+        self._shown.geom_rgba[:, 3] = np.where(can_be_hit, self._alphas, 0.0)
+        return self._shown

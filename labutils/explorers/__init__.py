@@ -9,6 +9,7 @@ from __future__ import annotations
 from labutils.explorers.cloud import CloudExplorer, explore_cloud
 from labutils.explorers.depth_convention import DepthConventionExplorer, explore_depth_convention
 from labutils.explorers.depth_range import DepthRangeExplorer, explore_depth_range
+from labutils.explorers.following import FollowingExplorer, explore_following
 from labutils.explorers.fov import FovExplorer, explore_fov
 from labutils.explorers.hsv import HsvExplorer, explore_hsv
 from labutils.explorers.matching import MatchingExplorer, explore_matching
@@ -19,6 +20,7 @@ __all__ = [
     "CloudExplorer",
     "DepthConventionExplorer",
     "DepthRangeExplorer",
+    "FollowingExplorer",
     "FovExplorer",
     "HsvExplorer",
     "MatchingExplorer",
@@ -27,6 +29,7 @@ __all__ = [
     "explore_cloud",
     "explore_depth_convention",
     "explore_depth_range",
+    "explore_following",
     "explore_fov",
     "explore_hsv",
     "explore_matching",

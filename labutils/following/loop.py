@@ -126,6 +126,19 @@ class FollowingLoop:
         return any(start <= self.time + 1e-9 < end for start, end in self.hidden)
 
     @property
+    def picture(self) -> np.ndarray:
+        """What the camera saw at the last command, uint8 (H, W, 3), as it was taken.
+
+        Raises
+        ------
+        RuntimeError
+            Before the first command.
+        """
+        if not self._pictures:
+            raise RuntimeError("picture: expected a step before, got none")
+        return self._pictures[-1].rgb
+
+    @property
     def record(self) -> FollowingRecord:
         """What happened until now."""
         return FollowingRecord.from_moments(self._moments, self.K)
@@ -210,7 +223,6 @@ class FollowingLoop:
         ball = self.data.mocap_pos[self._ball].copy()
         T_world_cam = get_camera_pose(self.model, self.data, CAMERA)
         in_camera = np.linalg.inv(T_world_cam) @ [*ball, 1.0]
-        center = self._memory.get("center")
         return FollowingMoment(
             time=self.time,
             ball=ball,
@@ -220,7 +232,7 @@ class FollowingLoop:
             pixel=points_to_pixels(in_camera[None, :3], self.K)[0],
             is_hidden=self.is_hidden,
             seen_time=seen.time,
-            center=np.full(3, np.nan) if center is None else np.asarray(center, dtype=float),
+            center=check_center(self._memory.get("center")),
         )
 
     def _move(self, command: np.ndarray) -> None:
@@ -247,3 +259,23 @@ def check_command(answer: object) -> np.ndarray:
     if command.shape != (2,) or not np.isfinite(command).all():
         raise ValueError(f"{wanted}, got {answer!r:.60}")
     return command
+
+
+def check_center(center: object) -> np.ndarray:
+    """Return what a controller wrote into ``memory["center"]``, float64 (3,); NaN for None.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is something else than three numbers.
+    """
+    if center is None:
+        return np.full(3, np.nan)
+    wanted = 'memory["center"]: expected (x, y, z) in meters of the world, or None'
+    try:
+        point = np.asarray(center, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{wanted}, got {type(center).__name__} {center!r:.60}") from None
+    if point.shape != (3,):
+        raise ValueError(f"{wanted}, got {center!r:.60}")
+    return point

@@ -6,8 +6,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from labutils import raycast_depth
+from labutils import _ray_casting, make_scene, raycast_depth
 from labutils._ray_casting import cast_rays, get_pixel_rays
+from labutils.cameras import get_camera_pose
 
 SCENE = """
 <mujoco>
@@ -46,3 +47,30 @@ def test_every_ray_hits_what_a_single_ray_hits(seen: str) -> None:
     assert (geom_ids == 1).sum() > 50
     assert (raycast_depth(model, data, "eye", width, height) == depth.astype(np.float32)).all()
     np.testing.assert_array_equal(model.body_bvhadr, before)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 5), (37, 23), (160, 120)])
+@pytest.mark.parametrize("camera", ["head_camera", "overview", "above"])
+def test_what_is_not_tried_changes_no_bit_of_what_is_hit(
+    camera: str, size: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    model, data = make_scene()
+    looked: str | mujoco.MjvCamera = camera
+    if camera == "above":
+        looked = mujoco.MjvCamera()  # in the head, which is around it
+        looked.lookat[:], looked.distance = data.body("head").xpos, 0.01
+        looked.elevation = -90
+    colors, materials = model.geom_rgba.copy(), model.geom_matid.copy()
+    for pan in (-1.0, 0.0, 0.7):
+        data.joint("neck_pan").qpos = pan
+        mujoco.mj_forward(model, data)
+        rays = get_pixel_rays(model, data, looked, *size)
+        origin = get_camera_pose(model, data, looked)[:3, 3]
+        near = cast_rays(model, data, origin, rays)
+        with monkeypatch.context() as patch:
+            patch.setattr(_ray_casting, "_SLACK", np.pi)  # everything may be hit
+            patch.setattr(_ray_casting, "_TILES", (1, 1))
+            for found, expected in zip(near, cast_rays(model, data, origin, rays), strict=True):
+                np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(model.geom_rgba, colors)
+    np.testing.assert_array_equal(model.geom_matid, materials)

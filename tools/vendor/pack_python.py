@@ -49,6 +49,7 @@ LIBRARY = (
     "labutils/checks/*.py",
     "labutils/checks/*/*.py",
     "labutils/checks/tables/*.json",
+    "labutils/following/*.py",
     "labutils/renderers/*.py",
 )
 #: What the library imports besides; in Python alone, so taken as it is installed.

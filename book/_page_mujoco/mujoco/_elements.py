@@ -96,6 +96,10 @@ class Element(Struct):
         other.type = getattr(kind, f"mjORIENTATION_{name.upper()}")
         getattr(other, name).assign(np.asarray(value, float).reshape(-1))
 
+    def __del__(self) -> None:
+        # few keep an element: `body.add_geom(size=[0.1])`, `spec.geom("ball").size = [0.1]`
+        self._memory.push()
+
     def forget(self) -> None:
         """Bring what was written into the engine, and keep no copy of its memory."""
         self._memory.push()

@@ -116,6 +116,21 @@ def a_scene_is_built_by_code() -> None:
     assert [one.name for one in spec.cameras] == ["eye"]
 
 
+def what_is_written_into_a_scene_stays_though_nobody_keeps_the_element() -> None:
+    spec = mujoco.MjSpec()
+    box = mujoco.mjtGeom.mjGEOM_BOX
+    body = spec.worldbody.add_body(name="board", mocap=True, pos=[0, 0, 1])
+    body.add_geom(name="board", type=box, size=[0.1, 0.2, 0.3], rgba=[1, 0, 0, 1])
+    del body
+    assert spec.geom("board").size.tolist() == [0.1, 0.2, 0.3]
+    spec.geom("board").size = [0.1, 0.4, 0.3]
+    spec.body("board").pos = [0, 2, 0]
+    model = spec.compile()
+    assert model.geom("board").size.tolist() == [0.1, 0.4, 0.3]
+    assert model.body("board").pos.tolist() == [0, 2, 0]
+    assert model.body("board").mocapid == 0
+
+
 def a_scene_finds_the_files_that_it_names() -> None:
     ball = "<mujoco><worldbody><geom name='ball' size='.1'/></worldbody></mujoco>"
     tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
