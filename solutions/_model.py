@@ -17,7 +17,7 @@ import numpy as np
 from content.chapters import get_chapter
 from content.labels import make_link
 from labutils.checks.calls import call_once
-from labutils.checks.compare import is_same_outcome, to_canonical
+from labutils.checks.compare import is_same_outcome
 from labutils.checks.explain.arguments import with_argument
 from labutils.checks.explain.probes import MIN_CASES, list_changes
 from labutils.checks.kinds import get_kind
@@ -215,12 +215,12 @@ class Exercise:
     def freeze(self, cases: tuple[Case, ...] | None = None) -> CheckTable:
         """Compute the table for the visible (or other) cases, and verify the card on the way."""
         cases = cases or self.visible()
-        expected = self.collect(self.reference, cases)
+        expected = self.collect_due(cases)
         for case, due in zip(cases, expected, strict=True):
             self._verify_reference(case, due)
         wrong = {
             made: tuple(
-                to_canonical(self.parts, outcome)
+                self._change(outcome, "make_known")
                 for outcome in self.collect(self.make_wrong(made), cases)
             )
             for made in self.get_combinations()
@@ -258,6 +258,23 @@ class Exercise:
             if changed >= MIN_CASES:
                 found.append(name)
         return tuple(found)
+
+    def collect_due(self, cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
+        """Return what is due: the reference's answers, or what they have to have in common."""
+        return tuple(map(self.make_due, self.collect(self.reference, cases)))
+
+    def make_due(self, outcome: Outcome) -> Outcome:
+        """Make of one answer of the reference what is due."""
+        return self._change(outcome, "make_due")
+
+    def _change(self, outcome: Outcome, method: str) -> Outcome:
+        """Let the kind of each part change its value."""
+        if not isinstance(outcome, tuple):
+            return outcome
+        return tuple(
+            None if value is None else getattr(get_kind(part), method)(value)
+            for part, value in zip(self.parts, outcome, strict=True)
+        )
 
     def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
         return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from labutils.checks.loops.scenario import Loop
 from labutils.checks.table import Misfit, Raised, Scene
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
         return {
             "scene": [value.xml, list(value.gives), list(value.qpos), value.width, value.height]
         }
+    if isinstance(value, Loop):
+        return {"loop": value.to_words()}
     if isinstance(value, tuple | list):
         return {"tuple": [encode(item, arrays) for item in value]}
     return value

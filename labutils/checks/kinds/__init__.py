@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from labutils.checks.kinds import choices, few_numbers, pictures, rows
+from labutils.checks.kinds import choices, closed_loop, few_numbers, pictures, rows
 from labutils.checks.kinds.base import Kind
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 __all__ = ["KINDS", "Kind", "get_kind"]
 
-_FAMILIES = (few_numbers, pictures, rows, choices)
+_FAMILIES = (few_numbers, pictures, rows, choices, closed_loop)
 
 #: Every kind by its name.
 KINDS: dict[str, Kind] = {kind.name: kind for family in _FAMILIES for kind in family.KINDS}
