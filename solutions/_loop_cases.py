@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from labutils.checks.loops.scenario import FOLLOWS, RECOVERS, SETTLES, Loop
 from labutils.checks.table import Case
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 #: What the head looks at first, in radians: pan and tilt of the scene's pose "home".
 _HOME = (0.0, 0.52)
@@ -28,8 +33,8 @@ def make_loop_cases(rng: np.random.Generator, *, has_looks: bool = False) -> tup
             (Loop(1.8, ((SETTLES, 1.0, 1.8),), places=(resting,), has_looks=has_looks),),
         ),
         Case(
-            "a ball that moves at 0.15 m/s, with noise",
-            (Loop(3.0, ((FOLLOWS, 1.0, 3.0),), seed=seed(), speed=0.15, noise=draw(1.5, 3.0)),),
+            "a ball that moves at 0.12 m/s, with noise",
+            (Loop(3.0, ((FOLLOWS, 1.0, 3.0),), seed=seed(), speed=0.12, noise=draw(1.5, 3.0)),),
         ),
         Case(
             "a board before the ball for a while",
@@ -38,7 +43,7 @@ def make_loop_cases(rng: np.random.Generator, *, has_looks: bool = False) -> tup
                     hidden[1] + 2.0,
                     ((RECOVERS, hidden[1] + 1.0, hidden[1] + 2.0),),
                     seed=seed(),
-                    speed=0.15,
+                    speed=0.12,
                     hidden=(hidden,),
                 ),
             ),
@@ -49,26 +54,25 @@ def make_loop_cases(rng: np.random.Generator, *, has_looks: bool = False) -> tup
         ),
         Case("a ball beyond the limits of pan and tilt, and back", (_make_far(draw),)),
         Case(
-            "no depth where the ball is, for a while",
+            "no depth where the ball is, after a second",
             (
                 Loop(
                     3.0,
                     ((FOLLOWS, 1.0, 3.0),),
                     seed=seed(),
-                    speed=0.15,
-                    blind=((0.0, 0.4), (1.2, 2.6)),
+                    speed=0.12,
+                    blind=((1.0, 3.0),),
                 ),
             ),
         ),
     )
 
 
-def _make_far(draw: object) -> Loop:
+def _make_far(draw: Callable[[float, float], float]) -> Loop:
     """Make a ball that goes beyond both limits, stays there, and comes back."""
-    assert callable(draw)
     away = 0.5
     near = (1.22, 0.84)
-    far = (1.4 + draw(0.1, 0.16), 1.0 + draw(0.08, 0.12))
+    far = (1.4 + draw(0.14, 0.2), 1.0 + draw(0.1, 0.15))
     back = (1.4 - draw(0.12, 0.2), 1.0 - draw(0.12, 0.2))
-    places = ((0.0, *near, away), (0.6, *far, away), (2.0, *far, away), (2.3, *back, away))
-    return Loop(4.2, ((RECOVERS, 3.3, 4.2),), places=places, neck=near)
+    places = ((0.0, *near, away), (0.6, *far, away), (2.6, *far, away), (2.9, *back, away))
+    return Loop(4.6, ((RECOVERS, 3.9, 4.6),), places=places, neck=near)

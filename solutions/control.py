@@ -38,7 +38,7 @@ def control(
     640 wide:
 
     A ball that rests is within 15 px of the middle from one second after the start on. Where it
-    moves at up to 0.15 m/s, its mean distance after the first second is at most 15 px. The same
+    moves at up to 0.12 m/s, its mean distance after the first second is at most 15 px. The same
     holds at up to 0.08 m/s where pictures arrive 0.1 s late. One second after a board has hidden
     the ball, the mean distance is at most 15 px again. The same holds one second after the ball has
     come back from beyond the limits.
@@ -217,7 +217,37 @@ from labutils.following import FollowingLoop
 with FollowingLoop(160, 120, seed=1, speed=0.15) as loop:
     followed = loop.run(control, 1.5)
 show(followed.error_px[-5:], "the last errors in px")""",
-    contract=(),
+    contract=(
+        told("by-itself", "The head is to follow"),
+        told("loops", "It is put into loops"),
+        told("styles", "Nobody compares your commands"),
+        told("how-long", "A check runs"),
+        asked("middle", "Turn the head so that the red ball stays", "every case"),
+        told("calls", "It is called every"),
+        told("many", "Many controllers are right"),
+        told("judged", "Yours is judged by"),
+        asked("rests", "A ball that rests is within", "settles", "case a ball that rests"),
+        asked("moves", "Where it moves at up to", "follows", "case a ball that moves"),
+        asked("late", "where pictures arrive 0.1 s late", "case pictures", "mistake stale-frame"),
+        asked("board", "One second after a board", "recovers", "case a board"),
+        asked(
+            "comes-back",
+            "come back from beyond the limits",
+            "case a ball beyond the limits",
+            "mistake wind-up",
+        ),
+        asked("limits", "No command lies outside", "limits", "mistake no-limits"),
+        asked("no-depth", "Depth may be 0 or NaN", "case no depth", "mistake needs-depth"),
+        given("hues", "The ball has hues"),
+        given("red-box", "A red box on the table"),
+        given("head-camera", "The picture of the head camera"),
+        given("meters", "Meters along the optical axis"),
+        given("intrinsic", "Intrinsic matrix of the camera"),
+        given("poses", "Among others `pan` and `tilt`"),
+        told("memory", "Its `memory` is a dict of your own"),
+        asked("radians", "The angles the neck turns to", "mistake degrees"),
+        asked("signs", "Pan turns to the left", "mistake sign-of-pan", "mistake tilt-up"),
+    ),
     visible=lambda: make_loop_cases(np.random.default_rng(769), has_looks=True),
     hidden=make_loop_cases,
 )

@@ -62,9 +62,7 @@ def find_failure(
         return failure
     if failure := _find_crash(table, answers):
         return failure
-    properties = dict.fromkeys(
-        name for part in table.parts for name in get_kind(part).properties
-    )
+    properties = dict.fromkeys(name for part in table.parts for name in get_kind(part).properties)
     values = [partial(_check_value, name) for name in properties]
     for gate in (_check_type, _check_shape, _check_dtype, _check_range, *values):
         for index, (case, answer) in enumerate(zip(table.cases, answers, strict=True)):

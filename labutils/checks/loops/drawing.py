@@ -80,7 +80,9 @@ class LoopRenderer:
         depth = np.minimum(depth, on_table)
         for name, half in ((_BOX, (0.045,) * 3), (BOARD, BOARD_HALF_SIZE)):
             body = data.body(name)
-            self._draw_box(rgb, depth, T, (body.xpos, body.xmat.reshape(3, 3), np.array(half)), name)
+            self._draw_box(
+                rgb, depth, T, (body.xpos, body.xmat.reshape(3, 3), np.array(half)), name
+            )
         is_ball = self._draw_ball(rgb, depth, T, data.body(BALL).xpos)
         if any(start <= data.time + 1e-9 < end for start, end in self._blind):
             depth[is_ball] = np.nan

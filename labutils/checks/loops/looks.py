@@ -125,14 +125,16 @@ def take_looks(decide: Callable[..., Any]) -> Looks:
     shares = np.array([one / _ANGLE, other / -_ANGLE])
     blind = _turn(decide, _ANGLE, blind=True)
     is_same = np.abs(blind - one) <= 0.5 * np.abs(one)
+    pan, size = _classify_sign(shares[:, 0]), _classify_size(shares)
     return Looks(
-        pan=_classify_sign(shares[:, 0]),
+        pan=pan,
         tilt=_classify_sign(shares[:, 1]),
-        size=_classify_size(shares),
-        stale=int(_is_stale(decide)),
+        size=size,
+        # Of commands that are cut off at once, or lead to the other limit, this says nothing.
+        stale=int(size == 1 and _is_stale(decide)),
         beyond=int(_is_beyond(decide)),
         blind=int(not is_same.all()),
-        winds=int(_winds(decide)),
+        winds=int(size == 1 and pan == 1 and _winds(decide)),
     )
 
 
