@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from labutils.checks.loops.scenario import FOLLOWS, RECOVERS, SETTLES, Loop
 from labutils.checks.table import Case
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import numpy as np
+
 #: What the head looks at first, in radians: pan and tilt of the scene's pose "home".
 _HOME = (0.0, 0.52)
 
 
 def make_loop_cases(rng: np.random.Generator, *, has_looks: bool = False) -> tuple[Case, ...]:
-    """Make a loop for each thing that can happen: rest, motion, a board, lateness, limits, depth."""
+    """Make a loop for each thing that can happen to the ball and its pictures."""
 
     def draw(low: float, high: float) -> float:
         return round(float(rng.uniform(low, high)), 3)

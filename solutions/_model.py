@@ -12,8 +12,6 @@ import itertools
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from content.chapters import get_chapter
 from content.labels import make_link
 from labutils.checks.calls import call_once
@@ -25,10 +23,13 @@ from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._contract import Duty, asked, given, told
 from solutions._example import verify_example
+from solutions._outcomes import change, round_outcome, shorten
 from solutions._simpler import Simplification, simplify
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+
+    import numpy as np
 
     from content.chapters import Chapter
     from solutions._completion import Completion
@@ -220,8 +221,8 @@ class Exercise:
             self._verify_reference(case, due)
         wrong = {
             made: tuple(
-                self._change(outcome, "make_known")
-                for outcome in self.collect(self.make_wrong(made), cases)
+                change(self.parts, outcome, "make_known")
+                for outcome in self.collect(self.make_wrong(made), tuple(map(shorten, cases)))
             )
             for made in self.get_combinations()
         }
@@ -265,16 +266,7 @@ class Exercise:
 
     def make_due(self, outcome: Outcome) -> Outcome:
         """Make of one answer of the reference what is due."""
-        return self._change(outcome, "make_due")
-
-    def _change(self, outcome: Outcome, method: str) -> Outcome:
-        """Let the kind of each part change its value."""
-        if not isinstance(outcome, tuple):
-            return outcome
-        return tuple(
-            None if value is None else getattr(get_kind(part), method)(value)
-            for part, value in zip(self.parts, outcome, strict=True)
-        )
+        return change(self.parts, outcome, "make_due")
 
     def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
         return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)
@@ -290,22 +282,3 @@ class Exercise:
                 f"{self.name}: answer_with without mistakes differs from the reference on "
                 f"{case.label!r}"
             )
-
-
-def round_outcome(outcome: Outcome) -> Outcome:
-    """Leave out what differs between machines: frozen bytes have to be the same on all.
-
-    Numbers are rounded to a millionth, for the last digit depends on the processor. Of errors the
-    words go that no comparison reads: they differ between versions of Python.
-    """
-    if isinstance(outcome, Raised):
-        return Raised(outcome.kind, outcome.text if outcome.kind == "TypeError" else "")
-    if isinstance(outcome, Misfit):
-        return outcome
-    return tuple(
-        value
-        if value is None or value.dtype.kind != "f"
-        # Adding zero turns -0.0 into 0.0; np.asarray keeps a single number an array.
-        else np.asarray(np.round(value.astype(np.float64), 6) + 0.0, dtype=value.dtype)
-        for value in outcome
-    )

@@ -10,9 +10,7 @@ import labutils
 from solutions._model import Case, Exercise, Misconception, Part, asked, given
 
 
-def _answer_with(
-    mistakes: frozenset[str], pixel: Any, K: Any, pan: Any, tilt: Any, limits: Any
-) -> Any:
+def _answer_with(mistakes: frozenset[str], pixel: Any, K: Any, pan: Any, tilt: Any, limits: Any) -> Any:
     raise NotImplementedError("FILL: answer with these mistakes; without any, as the reference")
 
 

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import cv2
 import numpy as np
 
-from labutils.following import FollowingState
 from solutions._loop_cases import make_loop_cases
 from solutions._model import Absorbed, Exercise, Misconception, Part, asked, given, told
+
+if TYPE_CHECKING:
+    from labutils.following import FollowingState
 
 #: The ball, in meters, and its color in HSV, which the red box does not have.
 _RADIUS = 0.045
 _LOW, _HIGH = (0, 120, 50), (7, 255, 255)
 #: Fewer pixels than this may be noise.
 _MIN_AREA = 12
-#: The neck gets there so many seconds after the command; nobody knows farther ahead than the second.
+#: The neck gets there so many seconds after a command; farther ahead than the second is a guess.
 _LEAD_S, _LONGEST_S = 0.08, 0.3
 #: A ball that looks this much farther away than it is, is hidden in part: its middle is elsewhere.
 _HIDDEN_IN_PART = 1.25
@@ -129,7 +131,8 @@ def _answer_with(
     if not mistakes:
         return control(rgb, depth, K, state)
     memory = state.memory
-    moments = cv2.moments(cv2.inRange(cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV), _LOW, _HIGH), True)
+    mask = cv2.inRange(cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV), _LOW, _HIGH)
+    moments = cv2.moments(mask, binaryImage=True)
     if moments["m00"] < _MIN_AREA:
         return memory.get("last", (state.pan, state.tilt))
     u, v = moments["m10"] / moments["m00"], moments["m01"] / moments["m00"]
@@ -204,12 +207,27 @@ EXERCISE = Exercise(
             "use depth only where there is one.",
         ),
     ),
+    absorbed=(
+        Absorbed(
+            "sign-of-pan",
+            "wind-up",
+            "a head that turns away never stays at the limit beside the ball",
+        ),
+        Absorbed(
+            "degrees", "wind-up", "57 times the angle goes from one limit to the other in any case"
+        ),
+        Absorbed("degrees", "stale-frame", "57 times the angle hides which pose it was added to"),
+    ),
     hints=(
-        "Which pixel is the ball's? And by which angle is that pixel off the middle of the picture?",
-        "That angle was right when the picture was taken. Where was the neck then, and how far has "
-        "the ball gone since?",
-        "Per axis: the pose of the picture plus the angle, a lead of velocity times delay, then the "
-        "limits. Keep the last place and time in state.memory, for when no ball is seen.",
+        "Which pixel is the ball's? By which angle is that pixel off the middle of the picture?",
+        (
+            "That angle was right when the picture was taken. Where was the neck then, and how far "
+            "has the ball gone since?"
+        ),
+        (
+            "Per axis: the pose of the picture plus the angle, a lead of velocity times delay, and "
+            "the limits. Keep the last place and time in state.memory, for when no ball is seen."
+        ),
     ),
     example="""\
 from labutils.following import FollowingLoop

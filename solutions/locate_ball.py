@@ -33,9 +33,7 @@ def locate_ball(mask: np.ndarray, depth: np.ndarray, K: np.ndarray, radius: floa
     raise NotImplementedError("FILL: the right answer")
 
 
-def _answer_with(
-    mistakes: frozenset[str], mask: np.ndarray, depth: np.ndarray, K: np.ndarray, radius: float
-) -> Any:
+def _answer_with(mistakes: frozenset[str], mask: np.ndarray, depth: np.ndarray, K: np.ndarray, radius: float) -> Any:
     raise NotImplementedError("FILL: answer with these mistakes; without any, as the reference")
 
 

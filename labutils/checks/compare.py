@@ -30,7 +30,7 @@ def is_same_outcome(parts: tuple[Part, ...], a: Outcome, b: Outcome) -> bool:
 
 
 def _read_traces(parts: tuple[Part, ...], outcome: Parts) -> Parts:
-    """Bring traces of loops into the form in which they can be compared: no two are of one shape."""
+    """Bring traces of loops into the form in which they are compared: their lengths differ."""
     return tuple(
         value if value is None or kind.is_repeatable else kind.to_canonical(value)
         for value, kind in zip(outcome, map(get_kind, parts), strict=True)

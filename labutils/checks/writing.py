@@ -23,7 +23,7 @@ def part_to_words(part: Part) -> dict[str, Any]:
     }
 
 
-def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:  # noqa: PLR0911 - one per form
     """Turn an argument or an answer into JSON; arrays go to `arrays`, each content once."""
     if isinstance(value, np.ndarray):
         return _encode_array(value, arrays)

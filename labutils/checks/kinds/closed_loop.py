@@ -110,8 +110,8 @@ def _describe_commands(trace: np.ndarray) -> str:
         return f"Call {len(trace)} of the loop answers with a number that is not finite."
     count = int((beyond > 1e-6).sum())
     return (
-        f"{count} of {len(trace)} commands lie beyond state.limits, the first in call {number}; the "
-        f"furthest by {beyond.max():.2g} rad."
+        f"{count} of {len(trace)} commands lie beyond state.limits, the first in call {number}; "
+        f"the furthest by {beyond.max():.2g} rad."
     )
 
 

@@ -55,10 +55,10 @@ def _draw(
     right, low = _WIDTH - 10, _HEIGHT - _BOTTOM
 
     def to_u(seconds: float) -> int:
-        return int(round(_LEFT + (right - _LEFT) * seconds / end))
+        return round(_LEFT + (right - _LEFT) * seconds / end)
 
     def to_v(value: float) -> int:
-        return int(round(low - (low - _TOP) * min(value, top) / top))
+        return round(low - (low - _TOP) * min(value, top) / top)
 
     for column, color in ((Column.MEASURED, _MEASURED), (Column.IS_HIDDEN, _HIDDEN)):
         for moment in times[trace[:, column] > 0]:
@@ -66,7 +66,7 @@ def _draw(
     cv2.rectangle(sheet, (_LEFT, _TOP), (right, low), _INK, 1)
     cv2.line(sheet, (_LEFT, to_v(bound)), (right, to_v(bound)), _BOUND, 2)
     places = [(to_u(moment), to_v(value)) for moment, value in zip(times, values, strict=True)]
-    cv2.polylines(sheet, [np.array(places, np.int32)], False, _YOURS, 2, cv2.LINE_AA)
+    cv2.polylines(sheet, [np.array(places, np.int32)], isClosed=False, color=_YOURS, thickness=2)
     _write(sheet, title, (_LEFT, 17))
     for value in (bound, top):
         _write(sheet, f"{value:.3g}", (4, to_v(value) + 5))

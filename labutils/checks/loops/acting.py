@@ -10,9 +10,11 @@ import numpy as np
 
 from labutils.checks.loops.drawing import LoopRenderer
 from labutils.checks.loops.looks import take_looks
-from labutils.checks.loops.places import make_path
-from labutils.checks.loops.trace import COLUMNS, PROPERTIES, Column
+from labutils.checks.loops.places import PointPath, get_place
+from labutils.checks.loops.scenario import DT
+from labutils.checks.loops.trace import BOUND_PX, COLUMNS, PROPERTIES, Column
 from labutils.following import FollowingLoop, FollowingState
+from labutils.following.scene import make_following_scene
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -57,10 +59,10 @@ def act(loop: Loop, decide: Decide) -> np.ndarray:
     """
     rows: list[np.ndarray] = []
     with _make_loop(loop) as following:
-        for _ in range(round(loop.seconds / 0.05)):
+        for _ in range(round(loop.seconds / DT)):
             row = np.full(COLUMNS, np.nan)
             rows.append(row)
-            if not _act_once(loop, following, decide, row):
+            if not _act_once(loop, following, decide, row) or _is_lost(loop, rows):
                 break
     trace = np.array(rows)
     if loop.has_looks:
@@ -68,7 +70,19 @@ def act(loop: Loop, decide: Decide) -> np.ndarray:
     return trace
 
 
+def _is_lost(loop: Loop, rows: list[np.ndarray]) -> bool:
+    """Tell whether no mean of this loop can come near its bound: the rest need not be drawn."""
+    longest = max((end - start for _, start, end in loop.windows), default=np.inf)
+    total = sum(row[Column.ERROR_PX] for row in rows if row[Column.MEASURED])
+    return bool(total > 10 * BOUND_PX * longest / DT)
+
+
 def _make_loop(loop: Loop) -> FollowingLoop:
+    path = None
+    if loop.places:
+        scene = make_following_scene()
+        points = [get_place(*scene, *place) for _, *place in loop.places]
+        path = PointPath([time for time, *_ in loop.places], points)
     following = FollowingLoop(
         WIDTH,
         HEIGHT,
@@ -77,7 +91,7 @@ def _make_loop(loop: Loop) -> FollowingLoop:
         delay=loop.delay,
         noise=loop.noise,
         hidden=loop.hidden,
-        path=make_path(loop.places) if loop.places else None,
+        path=path,
         renderer_maker=partial(LoopRenderer, blind=loop.blind),
     )
     if loop.neck:
@@ -106,7 +120,8 @@ def _act_once(loop: Loop, following: FollowingLoop, decide: Decide, row: np.ndar
         row[Column.BEYOND], row[Column.ERROR_PX] = np.inf, _LOST_PX
         return False
     off = float(np.hypot(*(moment.pixel - following.K[:2, 2])))
-    row[Column.ERROR_PX] = min(off * _FULL_WIDTH / WIDTH, _LOST_PX) if off == off else _LOST_PX
+    # Behind the camera there is no pixel: fmin takes the number of the two.
+    row[Column.ERROR_PX] = np.fmin(off * _FULL_WIDTH / WIDTH, _LOST_PX)
     row[[Column.PAN, Column.TILT]] = moment.command
     return True
 

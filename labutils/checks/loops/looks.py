@@ -14,6 +14,7 @@ import numpy as np
 from labutils.cameras import get_camera_intrinsics, get_camera_pose
 from labutils.checks.loops.drawing import LoopRenderer
 from labutils.checks.loops.places import get_place
+from labutils.checks.loops.scenario import DT
 from labutils.checks.loops.trace import Looks
 from labutils.following import FollowingState
 from labutils.following.scene import BALL, CAMERA, get_mocap_id, make_following_scene
@@ -21,7 +22,7 @@ from labutils.following.scene import BALL, CAMERA, get_mocap_id, make_following_
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-_HEIGHT, _WIDTH, _DT = 120, 160, 0.05
+_HEIGHT, _WIDTH = 120, 160
 
 #: How far the ball is to the side and below, in radians, and how far away, in meters.
 _ANGLE = np.array([-0.12, 0.1])
@@ -58,14 +59,13 @@ class _Stage:
         self._ball = get_mocap_id(self.model, BALL)
 
     @cache  # noqa: B019 - there is one stage, which stays
-    def take(self, neck: tuple[float, ...], off: tuple[float, ...], blind: bool) -> _Picture:
+    def take(self, neck: tuple[float, ...], off: tuple[float, ...], *, blind: bool) -> _Picture:
         """Take the picture of a ball that is off the middle by two angles."""
+        pan, tilt = np.add(neck, off)
+        self.data.mocap_pos[self._ball] = get_place(self.model, self.data, pan, tilt, _METERS)
         self.data.qpos[:2] = neck
         mujoco.mj_forward(self.model, self.data)
         T = get_camera_pose(self.model, self.data, CAMERA)
-        pan, tilt = np.add(neck, off)
-        self.data.mocap_pos[self._ball] = get_place(T[:3, 3], pan, tilt, _METERS)
-        mujoco.mj_forward(self.model, self.data)
         whole = ((-1.0, np.inf),) if blind else ()
         renderer = LoopRenderer(self.model, _HEIGHT, _WIDTH, blind=whole)
         renderer.update_scene(self.data)
@@ -91,15 +91,15 @@ class _Asking:
         """Return the command for a picture; NaN where it stops."""
         stage = _get_stage()
         seen = tuple(map(float, neck))
-        picture = stage.take(seen, tuple(map(float, off)), blind)
+        picture = stage.take(seen, tuple(map(float, off)), blind=blind)
         pan, tilt = map(float, seen if now is None else now)
         self._count += 1
         state = FollowingState(
-            time=self._count * _DT,
-            dt=_DT,
+            time=self._count * DT,
+            dt=DT,
             pan=pan,
             tilt=tilt,
-            seen_time=(self._count - 1) * _DT,
+            seen_time=(self._count - 1) * DT,
             seen_pan=seen[0],
             seen_tilt=seen[1],
             T_world_cam=picture.T_world_cam.copy(),

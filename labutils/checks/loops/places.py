@@ -1,38 +1,46 @@
-"""Where a ball is that stands at an angle before the eye."""
+"""Where a ball is that the head would look at with some pan and tilt."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+import mujoco
 import numpy as np
 
-#: Where the eye is when the head looks straight ahead. It moves by some centimeters with the head.
-EYE = np.array([0.1, 0.0, 1.46])
+from labutils.cameras import get_camera_pose
+from labutils.following.scene import CAMERA
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
-def get_place(eye: np.ndarray, pan: float, tilt: float, meters: float) -> np.ndarray:
-    """Return the point at these angles, seen from the eye: world coordinates, float64 (3,)."""
-    ahead = np.array([np.cos(tilt) * np.cos(pan), np.cos(tilt) * np.sin(pan), -np.sin(tilt)])
-    return eye + meters * ahead
+def get_place(
+    model: mujoco.MjModel, data: mujoco.MjData, pan: float, tilt: float, meters: float
+) -> np.ndarray:
+    """Return the point straight ahead of the eye when the neck has these angles, float64 (3,).
+
+    Angles may lie beyond the limits of the neck. It is left with them, forwarded.
+    """
+    data.qpos[:2] = pan, tilt
+    mujoco.mj_forward(model, data)
+    T_world_cam = get_camera_pose(model, data, CAMERA)
+    return np.asarray((T_world_cam @ [0.0, 0.0, meters, 1.0])[:3])
 
 
-class AnglePath:
-    """A path given by angles at times; the loop has to move along it by one unit a second.
+class PointPath:
+    """A path through points at given seconds; the loop has to move along it by one unit a second.
 
     Parameters
     ----------
-    places : array-like, shape (N, 4)
-        Seconds, pan, tilt and meters from the eye.
+    times : iterable of float
+        Seconds, growing.
+    points : iterable of ndarray
+        World coordinates.
     """
 
-    def __init__(self, places: tuple[tuple[float, ...], ...]) -> None:
-        self._places = np.array(places, dtype=np.float64)
+    def __init__(self, times: Iterable[float], points: Iterable[np.ndarray]) -> None:
+        self._times, self._points = np.array(list(times)), np.array(list(points))
 
     def get_position(self, meters: float) -> np.ndarray:
         """Return the ball's center in the world after so many seconds, which the loop calls so."""
-        times = self._places[:, 0]
-        pan, tilt, away = (np.interp(meters, times, column) for column in self._places[:, 1:].T)
-        return get_place(EYE, float(pan), float(tilt), float(away))
-
-
-def make_path(places: tuple[tuple[float, ...], ...]) -> AnglePath:
-    """Return the path through these places."""
-    return AnglePath(places)
+        return np.array([np.interp(meters, self._times, axis) for axis in self._points.T])

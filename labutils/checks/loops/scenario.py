@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, replace
 from typing import Any, ClassVar
+
+#: Seconds from one call to the next.
+DT = 0.05
 
 #: The properties that a stretch of time is measured for.
 SETTLES, FOLLOWS, RECOVERS = "settles", "follows", "recovers"
@@ -52,6 +55,10 @@ class Loop:
 
     #: The arguments that are made from it.
     gives: ClassVar[tuple[str, ...]] = ("rgb", "depth", "K", "state")
+
+    def to_looks(self) -> Loop:
+        """Return a loop of one call, with the same single pictures: all that names a mistake."""
+        return replace(self, seconds=DT, windows=(), places=self.places[:1])
 
     def to_words(self) -> list[Any]:
         """Write it as JSON can hold it."""

@@ -15,7 +15,8 @@ DELAY_S = 0.08
 
 def find_ball(rgb: np.ndarray) -> tuple[float, float] | None:
     """Find the middle of all pixels of the ball's color."""
-    moments = cv2.moments(cv2.inRange(cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV), LOW, HIGH), True)
+    mask = cv2.inRange(cv2.cvtColor(rgb, cv2.COLOR_RGB2HSV), LOW, HIGH)
+    moments = cv2.moments(mask, binaryImage=True)
     if moments["m00"] < 8:
         return None
     return moments["m10"] / moments["m00"], moments["m01"] / moments["m00"]
@@ -228,7 +229,7 @@ def searching_while_hidden(rgb: Any, depth: Any, K: Any, state: Any) -> Any:
     if memory.get("lost") is None:
         memory["lost"] = state.time
     swing = 0.05 * np.sin(6 * (state.time - memory["lost"]))
-    return cut(np.array(memory.get("aim", (state.pan, state.tilt))) + (swing, 0.0), state)
+    return cut(np.add(memory.get("aim", (state.pan, state.tilt)), (swing, 0.0)), state)
 
 
 def pd_with_a_dead_band(rgb: Any, depth: Any, K: Any, state: Any) -> Any:
