@@ -21,7 +21,8 @@ from labutils.checks.compare import is_same_outcome, to_canonical
 from labutils.checks.kinds import get_kind
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._example import verify_example
-from solutions._model import Exercise, Misconception, round_outcome
+from solutions._model import Exercise, Misconception
+from solutions._outcomes import round_outcome
 
 if TYPE_CHECKING:
     from collections.abc import Callable

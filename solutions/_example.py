@@ -15,7 +15,10 @@ _SHOWS = {"show", "print"}
 
 
 def verify_example(name: str, code: str) -> None:
-    """Refuse an example that is no code, is too long, calls another function, or shows nothing."""
+    """Refuse an example that is no code, is too long, calls another function, or shows nothing.
+
+    A function may also be handed to what calls it.
+    """
     lines = code.splitlines()
     if not 1 <= len(lines) <= MAX_LINES:
         raise ValueError(f"{name}: expected an example of 1 to {MAX_LINES} lines, got {len(lines)}")
@@ -30,12 +33,11 @@ def verify_example(name: str, code: str) -> None:
         tree = ast.parse(code)
     except SyntaxError as error:
         raise ValueError(f"{name}: expected an example in Python, got {error.msg}") from error
-    called = {
-        node.func.id
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
-    }
-    if name not in called:
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    called = {node.func.id for node in calls if isinstance(node.func, ast.Name)}
+    # What acts in a loop is handed to the loop, which calls it.
+    handed = {one.id for node in calls for one in node.args if isinstance(one, ast.Name)}
+    if name not in called | handed:
         raise ValueError(f"{name}: expected an example that calls it, got {sorted(called)}")
     if not called & _SHOWS:
         raise ValueError(f"{name}: expected an example that shows or prints, got {sorted(called)}")

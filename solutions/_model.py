@@ -12,12 +12,10 @@ import itertools
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from content.chapters import get_chapter
 from content.labels import make_link
 from labutils.checks.calls import call_once
-from labutils.checks.compare import is_same_outcome, to_canonical
+from labutils.checks.compare import is_same_outcome
 from labutils.checks.explain.arguments import with_argument
 from labutils.checks.explain.probes import MIN_CASES, list_changes
 from labutils.checks.kinds import get_kind
@@ -25,10 +23,13 @@ from labutils.checks.progress_rules import MAX_HINTS
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised
 from solutions._contract import Duty, asked, given, told
 from solutions._example import verify_example
+from solutions._outcomes import change, round_outcome, shorten
 from solutions._simpler import Simplification, simplify
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
+
+    import numpy as np
 
     from content.chapters import Chapter
     from solutions._completion import Completion
@@ -215,13 +216,13 @@ class Exercise:
     def freeze(self, cases: tuple[Case, ...] | None = None) -> CheckTable:
         """Compute the table for the visible (or other) cases, and verify the card on the way."""
         cases = cases or self.visible()
-        expected = self.collect(self.reference, cases)
+        expected = self.collect_due(cases)
         for case, due in zip(cases, expected, strict=True):
             self._verify_reference(case, due)
         wrong = {
             made: tuple(
-                to_canonical(self.parts, outcome)
-                for outcome in self.collect(self.make_wrong(made), cases)
+                change(self.parts, outcome, "make_known")
+                for outcome in self.collect(self.make_wrong(made), tuple(map(shorten, cases)))
             )
             for made in self.get_combinations()
         }
@@ -259,6 +260,14 @@ class Exercise:
                 found.append(name)
         return tuple(found)
 
+    def collect_due(self, cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
+        """Return what is due: the reference's answers, or what they have to have in common."""
+        return tuple(map(self.make_due, self.collect(self.reference, cases)))
+
+    def make_due(self, outcome: Outcome) -> Outcome:
+        """Make of one answer of the reference what is due."""
+        return change(self.parts, outcome, "make_due")
+
     def collect(self, function: Callable[..., Any], cases: tuple[Case, ...]) -> tuple[Outcome, ...]:
         return tuple(round_outcome(call_once(self.parts, case, function)) for case in cases)
 
@@ -273,22 +282,3 @@ class Exercise:
                 f"{self.name}: answer_with without mistakes differs from the reference on "
                 f"{case.label!r}"
             )
-
-
-def round_outcome(outcome: Outcome) -> Outcome:
-    """Leave out what differs between machines: frozen bytes have to be the same on all.
-
-    Numbers are rounded to a millionth, for the last digit depends on the processor. Of errors the
-    words go that no comparison reads: they differ between versions of Python.
-    """
-    if isinstance(outcome, Raised):
-        return Raised(outcome.kind, outcome.text if outcome.kind == "TypeError" else "")
-    if isinstance(outcome, Misfit):
-        return outcome
-    return tuple(
-        value
-        if value is None or value.dtype.kind != "f"
-        # Adding zero turns -0.0 into 0.0; np.asarray keeps a single number an array.
-        else np.asarray(np.round(value.astype(np.float64), 6) + 0.0, dtype=value.dtype)
-        for value in outcome
-    )

@@ -16,6 +16,7 @@ import numpy as np
 from labutils import find_valid_depth
 from labutils.checks.explain.arguments import find_places, with_argument
 from labutils.checks.inputs import is_same
+from labutils.checks.kinds import get_kind
 from labutils.checks.table import Case, Simpler
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def simplify(exercise: Exercise, table: CheckTable) -> tuple[Simpler, ...]:
                 cases.append(replace(changed, label=""))
         if not cases:
             continue
-        expected = exercise.collect(exercise.reference, tuple(cases))
+        expected = exercise.collect_due(tuple(cases))
         kept = [n for n, due in enumerate(expected) if isinstance(due, tuple) and _says_much(due)]
         found.append(
             Simpler(
@@ -113,7 +114,7 @@ def list_common(exercise: Exercise) -> tuple[Simplification, ...]:
     Where points or pixels are given beside the camera, they would have to move with it.
     """
     names = exercise.parameters
-    if {"points_world", "pixels"} & set(names):
+    if {"points_world", "pixels"} & set(names) or not _is_repeatable(exercise):
         return ()
     found = []
     if "K" in names:
@@ -124,6 +125,11 @@ def list_common(exercise: Exercise) -> tuple[Simplification, ...]:
     if {"width", "height"} <= set(names):
         found.append(Simplification("square", "the picture is as high as it is wide", _square))
     return tuple(found)
+
+
+def _is_repeatable(exercise: Exercise) -> bool:
+    """Tell whether its arguments stand in its cases, instead of being made while it acts."""
+    return all(get_kind(part).is_repeatable for part in exercise.parts)
 
 
 def _square_pixels(args: dict[str, Any]) -> dict[str, Any]:

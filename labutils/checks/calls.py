@@ -14,9 +14,13 @@ import numpy as np
 
 from labutils.checks.exceptions import Call, explain
 from labutils.checks.kinds import get_kind
+from labutils.checks.loops.scenario import Loop
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
 
 Function = Callable[..., object]
+
+#: What a controller answers, call by call.
+_COMMAND = (Part("pan", "number", "float"), Part("tilt", "number", "float"))
 
 #: Text of an exception is cut here: a message has to stay readable.
 _TEXT_LIMIT = 160
@@ -56,7 +60,12 @@ def unify_answers(table: CheckTable, answers: tuple[Outcome, ...]) -> tuple[Outc
 
 
 def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcome:
-    """Call the function on a fresh copy of one case and take its answer apart."""
+    """Call the function on a fresh copy of one case and take its answer apart.
+
+    In a loop it is called as often as the loop says: what comes back is the trace.
+    """
+    if case.args and isinstance(case.args[0], Loop):
+        return _act(case, case.args[0], function)
     args, observers = prepare_arguments(case.args)
     try:
         # Warnings about NaN and zero are expected on invalid pixels: they are not the verdict.
@@ -67,6 +76,49 @@ def call_once(parts: tuple[Part, ...], case: Case, function: Function) -> Outcom
         return describe_error(error, function, _name_call(case, function, args))
     seen = tuple(observe() for observe in observers)
     return split_answer(parts, output, seen)
+
+
+class _UnfitError(Exception):
+    """An answer that is no command: the loop cannot go on."""
+
+    def __init__(self, misfit: Misfit) -> None:
+        super().__init__(misfit.text)
+        self.misfit = misfit
+
+
+def _act(case: Case, loop: Loop, function: Function) -> Outcome:
+    """Let the function act in a loop."""
+    # MuJoCo is imported here, because most exercises run without it.
+    from labutils.checks.loops.acting import act  # noqa: PLC0415
+
+    asked: list[tuple[Any, ...]] = []
+
+    def decide(*args: Any) -> np.ndarray:
+        asked[:] = [args]
+        return _read_command(function(*args))
+
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            return (act(loop, decide),)
+    except _UnfitError as error:
+        return error.misfit
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a learner's code raises
+        return describe_error(error, function, _name_call(case, function, *asked))
+
+
+def _read_command(output: object) -> np.ndarray:
+    """Read two numbers, of whatever size; raise where they are none."""
+    values = tuple(output) if isinstance(output, np.ndarray) and output.shape == (2,) else output
+    found = split_answer(_COMMAND, values, ())
+    if isinstance(found, Misfit):
+        raise _UnfitError(found)
+    assert isinstance(found, tuple)  # noqa: S101 - nothing is called here that could raise
+    for part, value in zip(_COMMAND, found, strict=True):
+        if value is None or value.shape:
+            what = "None" if value is None else f"an array of shape {value.shape}"
+            raise _UnfitError(Misfit(f"expected {part.name} as one number, yours is {what}"))
+    return np.array(found, dtype=np.float64)
 
 
 def _name_call(case: Case, function: Function, args: tuple[Any, ...]) -> Call:

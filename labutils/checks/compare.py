@@ -22,10 +22,19 @@ def is_same_outcome(parts: tuple[Part, ...], a: Outcome, b: Outcome) -> bool:
         return a == b
     if isinstance(a, Raised) or isinstance(b, Raised):
         return isinstance(a, Raised) and isinstance(b, Raised) and _is_same_error(a, b)
+    a, b = _read_traces(parts, a), _read_traces(parts, b)
     if not _is_alike(a, b):
         return False
     b = align_rows(parts, a, b)
     return all(is_close(part, x, y) for part, x, y in zip(parts, a, b, strict=True))
+
+
+def _read_traces(parts: tuple[Part, ...], outcome: Parts) -> Parts:
+    """Bring traces of loops into the form in which they are compared: their lengths differ."""
+    return tuple(
+        value if value is None or kind.is_repeatable else kind.to_canonical(value)
+        for value, kind in zip(outcome, map(get_kind, parts), strict=True)
+    )
 
 
 def _is_same_error(a: Raised, b: Raised) -> bool:

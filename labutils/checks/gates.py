@@ -1,13 +1,14 @@
 """The properties an answer has to have, in order; the first that fails is the verdict.
 
 defined, runs, type, shape, dtype, range, value, and last input: the arguments came back as they
-were. A gate says what was found and which *property*
-was due, never the value that was due.
+were. Of what acts in a loop, "value" is several gates: limits, settles, follows, recovers. A gate
+says what was found and which *property* was due, never the value that was due.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -22,7 +23,10 @@ if TYPE_CHECKING:
 #: A part, what is due and what came.
 _Pair: TypeAlias = "tuple[Part, np.ndarray | None, np.ndarray | None]"
 
-GATES = ("defined", "runs", "type", "shape", "dtype", "range", "value", "input")
+GATES = (
+    *("defined", "runs", "type", "shape", "dtype", "range"),
+    *("value", "limits", "settles", "follows", "recovers", "input"),
+)
 
 _DTYPES = {
     "float": ("f", "floating-point numbers (float32 or float64)"),
@@ -58,7 +62,9 @@ def find_failure(
         return failure
     if failure := _find_crash(table, answers):
         return failure
-    for gate in (_check_type, _check_shape, _check_dtype, _check_range, _check_value):
+    properties = dict.fromkeys(name for part in table.parts for name in get_kind(part).properties)
+    values = [partial(_check_value, name) for name in properties]
+    for gate in (_check_type, _check_shape, _check_dtype, _check_range, *values):
         for index, (case, answer) in enumerate(zip(table.cases, answers, strict=True)):
             due = table.expected[index]
             if isinstance(due, Raised) or isinstance(answer, Raised):
@@ -218,7 +224,7 @@ def _describe_range(part: Part, yours: np.ndarray, low: float | None, high: floa
 
 
 def _check_value(
-    table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
+    name: str, table: CheckTable, index: int, case: Case, due: Outcome, answer: Outcome
 ) -> Failure | None:
     del case
     if isinstance(due, tuple) and isinstance(answer, tuple):
@@ -227,8 +233,10 @@ def _check_value(
         if is_close(part, x, y) or x is None or y is None:
             continue
         kind = get_kind(part)
+        if kind.find_property(part, x, y) != name:
+            continue
         text = kind.describe(part, x, y, kind.find_wrong(part, x, y))
-        return Failure("value", text, index, number)
+        return Failure(name, text, index, number)
     return None
 
 

@@ -156,7 +156,8 @@ def judge_answers(
 
 
 def _probe(table: CheckTable, answers: tuple[Outcome, ...], function: object) -> Explanation | None:
-    return probe(table, answers, function) if callable(function) else None
+    is_repeatable = all(get_kind(part).is_repeatable for part in table.parts)
+    return probe(table, answers, function) if callable(function) and is_repeatable else None
 
 
 def _tell_changed(changed: tuple[str, ...]) -> Explanation:
@@ -197,13 +198,13 @@ def _find_failed_part(
 def _describe_where(table: CheckTable, failure: Failure, failed: _FailedPart | None) -> str:
     """Name the case, and the worst place where there is one."""
     text = f"Case {failure.case + 1} of {len(table.cases)}: {table.cases[failure.case].label}."
-    if failure.gate != "value" or failed is None:
+    if failed is None or failure.gate not in get_kind(failed.part).properties:
         return text
     worst = get_kind(failed.part).describe_worst(failed.part, failed.due, failed.yours)
     return f"{text} {worst}" if worst else text
 
 
 def _draw(failure: Failure, failed: _FailedPart | None) -> PanelPicture | None:
-    if failure.gate not in ("range", "value", "shape") or failed is None:
+    if failed is None or failure.gate not in ("range", "shape", *get_kind(failed.part).properties):
         return None
     return get_kind(failed.part).draw(failed.part, failed.due, failed.yours)

@@ -15,6 +15,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from labutils.checks.loops.scenario import Loop
+
 #: Where the frozen tables lie.
 TABLES = Path(__file__).with_name("tables")
 WORDS = "exercises.json"
@@ -168,8 +170,8 @@ class CheckTable:
 
     @property
     def needs_mujoco(self) -> bool:
-        """Whether a case is made from a scene."""
-        return any(isinstance(value, Scene) for case in self.cases for value in case.args)
+        """Whether a case is made from a scene, or acts in one."""
+        return any(isinstance(value, Scene | Loop) for case in self.cases for value in case.args)
 
 
 class TableError(Exception):
@@ -275,4 +277,6 @@ def _decode(item: Any, arrays: dict[str, np.ndarray]) -> Any:  # noqa: PLR0911 -
     if form == "scene":
         xml, gives, qpos, width, height = content
         return Scene(xml, tuple(gives), tuple(qpos), width, height)
+    if form == "loop":
+        return Loop.from_words(content)
     return tuple(_decode(one, arrays) for one in content)

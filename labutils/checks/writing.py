@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from labutils.checks.loops.scenario import Loop
 from labutils.checks.table import Misfit, Raised, Scene
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ def part_to_words(part: Part) -> dict[str, Any]:
     }
 
 
-def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
+def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:  # noqa: PLR0911 - one per form
     """Turn an argument or an answer into JSON; arrays go to `arrays`, each content once."""
     if isinstance(value, np.ndarray):
         return _encode_array(value, arrays)
@@ -34,6 +35,8 @@ def encode(value: Any, arrays: dict[str, np.ndarray]) -> Any:
         return {
             "scene": [value.xml, list(value.gives), list(value.qpos), value.width, value.height]
         }
+    if isinstance(value, Loop):
+        return {"loop": value.to_words()}
     if isinstance(value, tuple | list):
         return {"tuple": [encode(item, arrays) for item in value]}
     return value

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 import numpy as np
 
 #: The middle of the path and how far it reaches to each side, in meters of the world. Above the
@@ -14,6 +16,14 @@ _SHARES = np.array([0.7, 0.3])
 #: Axes differ in their waves, or the ball would run up and down one line.
 _AXIS_WAVES = np.array([2.0, 1.0, 3.0])
 _SAMPLES = 2000
+
+
+class Path(Protocol):
+    """What the loop asks of a path."""
+
+    def get_position(self, meters: float) -> np.ndarray:
+        """Return the ball's center in the world, float64 (3,), so many meters along the path."""
+        ...
 
 
 class BallPath:

@@ -12,7 +12,7 @@ import numpy as np
 from labutils._guards import check_image_size
 from labutils.camera_utils import render_camera
 from labutils.cameras import get_camera_intrinsics, get_camera_pose
-from labutils.following.ball_path import BallPath
+from labutils.following.ball_path import BallPath, Path
 from labutils.following.record import FollowingMoment, FollowingRecord
 from labutils.following.scene import (
     BALL,
@@ -72,6 +72,8 @@ class FollowingLoop:
         Handed to the controller as ``state.gain``.
     hidden : iterable of (float, float)
         From when to when a board hides the ball, in seconds.
+    path : BallPath, optional
+        Another path than that of the seed: whatever has its `get_position`.
     renderer_maker : callable
         ``renderer_maker(model, height, width)`` makes what draws; `make_renderer` unless given.
 
@@ -97,6 +99,7 @@ class FollowingLoop:
         noise: float = 2.0,
         gain: float = 1.0,
         hidden: Iterable[tuple[float, float]] = HIDDEN,
+        path: Path | None = None,
         renderer_maker: Callable[[mujoco.MjModel, int, int], Renderer] = make_renderer,
     ) -> None:
         width, height = check_image_size(width, height)
@@ -105,7 +108,7 @@ class FollowingLoop:
         self.model, self.data = make_following_scene()
         self.K, _ = get_camera_intrinsics(self.model, CAMERA, width, height)
         self._renderer = renderer_maker(self.model, height, width)
-        self._path = BallPath(seed)
+        self._path: Path = BallPath(seed) if path is None else path
         self._random = np.random.default_rng([seed, 1])
         self._ball = get_mocap_id(self.model, BALL)
         self._meters = 0.0

@@ -12,5 +12,5 @@ def make_hidden_table(name: str, seed: int) -> CheckTable:
     """Make the table of one seed: its cases and the answers due."""
     exercise = load_exercises()[name]
     cases = exercise.hidden(np.random.default_rng(seed))
-    expected = exercise.collect(exercise.reference, cases)
+    expected = exercise.collect_due(cases)
     return load_table(name).with_cases(cases, expected)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from labutils.checks.gates import GATES
-from labutils.checks.kinds import get_kind
+from labutils.checks.kinds import KINDS, get_kind
 from tools.derive.sentences import CODE, Sentence, list_sentences
 from tools.derive.starters import INPUTS_STAY, STATE_MAY_FOLLOW
 
@@ -127,8 +127,11 @@ def list_checks(exercise: Exercise) -> Iterator[str]:
 def _is_in_force(gate: str, part: Part) -> bool:
     if gate == "range":
         return bool(part.values) or part.low is not None or part.high is not None
+    kind = get_kind(part)
+    if gate in {name for one in KINDS.values() for name in one.properties}:
+        return gate in kind.properties
     # What is seen after the call has no type, shape or dtype that could be wrong.
-    return gate == "value" or not get_kind(part).is_observed
+    return not kind.is_observed
 
 
 def _resolve(words: str, checks: set[str]) -> set[str]:

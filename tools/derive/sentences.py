@@ -51,7 +51,8 @@ def list_sentences(exercise: Exercise) -> tuple[Sentence, ...]:
     function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
     docstring = inspect.cleandoc(ast.get_docstring(function) or "")
     lines = exercise.example.splitlines()
-    call = next(line.strip() for line in lines if f"{exercise.name}(" in line)
+    called = re.compile(rf"\b{exercise.name}\b")  # or handed to what calls it
+    call = next(line.strip() for line in lines if called.search(line))
     return (*split_statement(statement), Sentence(CODE, call), *split_docstring(docstring))
 
 

@@ -130,7 +130,7 @@ def make_cases(exercise: Exercise) -> str:
     """Return the cases as tables: what is shown to everybody, what decides."""
     hidden = exercise.hidden(np.random.default_rng(SEEDS[0]))
     share = exercise.points / len(hidden)
-    due = exercise.collect(exercise.reference, hidden)
+    due = exercise.collect_due(hidden)
     rows = [
         f"| visible {number} | {case.label} | none |"
         for number, case in enumerate(exercise.visible(), 1)

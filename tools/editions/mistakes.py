@@ -106,7 +106,7 @@ def measure_kept(exercise: Exercise, made: tuple[str, ...]) -> float:
     right = total = 0
     for seed in SEEDS:
         cases = exercise.hidden(np.random.default_rng(seed))
-        due = exercise.collect(exercise.reference, cases)
+        due = exercise.collect_due(cases)
         answers = exercise.collect(exercise.make_wrong(made), cases)
         right += len(cases) - len(_find_different(exercise.parts, due, answers))
         total += len(cases)

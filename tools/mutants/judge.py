@@ -165,13 +165,15 @@ class Judge:
         """Return the input of a draw and the right answer to it."""
         while len(self._drawn) <= number:
             case = Case("a draw", draw_input(self.exercise.name, len(self._drawn)))
-            due = call_once(self.exercise.parts, case, self.exercise.reference)
+            due = self.exercise.make_due(
+                call_once(self.exercise.parts, case, self.exercise.reference)
+            )
             self._drawn.append((case, due))
         return self._drawn[number]
 
     def _make_tables(self, cases: tuple[Case, ...]) -> list[CheckTable]:
         exercise = self.exercise
-        expected = exercise.collect(exercise.reference, cases)
+        expected = exercise.collect_due(cases)
         table = replace(load_table(exercise.name), parts=exercise.parts)
         return [
             table.with_cases((case,), (due,)) for case, due in zip(cases, expected, strict=True)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from labutils.checks.loops.scenario import Loop
 from labutils.checks.table import Scene
 
 if TYPE_CHECKING:
@@ -18,12 +19,12 @@ if TYPE_CHECKING:
 def find_places(table: CheckTable) -> dict[str, int]:
     """Return where the arguments that are no part of a scene stand in a case.
 
-    A scene stands once in a case and fills several parameters.
+    A scene, or a loop, stands once in a case and fills several parameters.
     """
     names = list(table.parameters)
     found: dict[str, int] = {}
     for place, value in enumerate(table.cases[0].args):
-        if isinstance(value, Scene):
+        if isinstance(value, Scene | Loop):
             del names[: len(value.gives)]
         else:
             found[names.pop(0)] = place

@@ -8,7 +8,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from labutils.checks.kinds import choices, disparity, few_numbers, pictures, rows
+from labutils.checks.kinds import (
+    choices,
+    closed_loop,
+    disparity,
+    few_numbers,
+    pictures,
+    rows,
+)
 from labutils.checks.kinds.base import Kind
 
 if TYPE_CHECKING:
@@ -16,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["KINDS", "Kind", "get_kind"]
 
-_FAMILIES = (few_numbers, pictures, rows, choices, disparity)
+_FAMILIES = (few_numbers, pictures, rows, choices, disparity, closed_loop)
 
 #: Every kind by its name.
 KINDS: dict[str, Kind] = {kind.name: kind for family in _FAMILIES for kind in family.KINDS}

@@ -59,12 +59,24 @@ class Kind(ABC):
     is_few: ClassVar[bool] = False
     #: Whether a wrong value is off by some amount, instead of just wrong.
     has_sizes: ClassVar[bool] = True
+    #: Whether a call says all that it will ever say: then probes may call again.
+    is_repeatable: ClassVar[bool] = True
+    #: The last gates, in their order: what has to hold of a value that looks as it should.
+    properties: ClassVar[tuple[str, ...]] = ("value",)
 
     # --- when it is right ---
 
     def to_canonical(self, value: np.ndarray) -> np.ndarray:
         """Bring a value into the form that comparing needs, so that this is done once."""
         return value
+
+    def make_due(self, value: np.ndarray) -> np.ndarray:
+        """Make of the reference's answer what is due of everybody."""
+        return value
+
+    def make_known(self, value: np.ndarray) -> np.ndarray:
+        """Make of a wrong answer what others who made the same mistake have in common with it."""
+        return self.to_canonical(value)
 
     def unify(self, dues: list[np.ndarray], yours: list[np.ndarray]) -> list[np.ndarray]:
         """Bring the answers of all cases into one form, where a choice was free."""
@@ -100,6 +112,11 @@ class Kind(ABC):
         """
         del part, expected, yours
         return None
+
+    def find_property(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> str:
+        """Name the first of `properties` that does not hold, where the value is wrong."""
+        del part, expected, yours
+        return self.properties[0]
 
     # --- what to say, and what to draw ---
 
