@@ -19,7 +19,7 @@ from labutils import (
     render_camera,
 )
 from labutils.recordings import CLIPS, Recording
-from labutils.room import Walk, make_room, measure_imu, set_baseline, set_pose
+from labutils.room import Walk, make_room, measure_imu, record_once, set_baseline, set_pose
 from labutils.room.designs import DESIGNS
 from labutils.room.recorder import VIEWS, Recorder, hash_textures, render_labels
 from labutils.room.textures import make_grain, make_noise, make_poster, make_wallpaper
@@ -222,3 +222,29 @@ def test_the_clip_is_what_this_room_looks_like() -> None:
     assert (np.abs(depth - pair.depth) < 0.001).mean() > 0.99
     assert (labels == pair.labels).mean() > 0.99
     assert_allclose(pair.T_world_cam, get_camera_pose(model, data, "left_eye"), atol=1e-9)
+
+
+def test_a_walk_is_recorded_once_and_anew_where_it_was_interrupted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def ask(seed: int = 0) -> Recording:
+        return record_once(frames_per_second=0.1, width=64, seed=seed, cache=tmp_path)
+
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Recorder, "record_walk", stop)
+        with pytest.raises(KeyboardInterrupt):
+            ask()
+    first = ask()
+    assert "keyframes" in capsys.readouterr().err  # the progress bar
+    assert [frame.gray.shape for frame in first.keyframes] == [(48, 64)] * 3
+    assert first.imu.time.shape == (5200,)
+    with monkeypatch.context() as patch:
+        patch.setattr(Recorder, "record_walk", stop)
+        again, noisier = ask(), ask(seed=1)
+    assert_array_equal(again.keyframes[1].gray, first.keyframes[1].gray)
+    assert not np.array_equal(noisier.keyframes[1].gray, first.keyframes[1].gray)
+    assert_array_equal(again.keyframes[1].depth, first.keyframes[1].depth)
+    assert not list(tmp_path.glob("*.part"))
