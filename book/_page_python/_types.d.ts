@@ -323,6 +323,7 @@ interface CameraLab {
   session: {
     cells: SessionCell[];
     add(cell: SessionCell): void;
+    findParts(code: string): string[];
     run(cell: SessionCell): Promise<boolean>;
     runAbove(cell: SessionCell): Promise<boolean>;
     runAll(asked: SessionCell): Promise<boolean>;

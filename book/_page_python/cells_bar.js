@@ -71,8 +71,13 @@
     }
 
     makeNote() {
-      const parts = ["python", "simulator"].filter((part) => part in assets.data.parts);
-      const bytes = parts.reduce((sum, part) => sum + assets.countBytes(part), 0);
+      const needed = cells.list.flatMap((cell) => session.findParts(cell.getText()));
+      const parts = ["python", "simulator"];
+      const recorded = needed.includes("recordings");
+      if (recorded) parts.push("recordings");
+      const bytes = parts
+        .filter((part) => part in assets.data.parts)
+        .reduce((sum, part) => sum + assets.countBytes(part), 0);
       const size = `${(bytes / 1e6).toFixed(0)} MB`;
       const hosts = new Set(assets.data.remote.map(({ url }) => new URL(url).host));
       const network = hosts.size
@@ -81,7 +86,7 @@
       return make(
         "p",
         "",
-        `The code on this page runs here, in your browser. The first run loads Python and the simulator (${size}).${network}`,
+        `The code on this page runs here, in your browser. The first run loads Python${recorded ? ", the recorded pictures" : ""} and the simulator (${size}).${network}`,
       );
     }
 

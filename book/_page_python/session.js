@@ -20,6 +20,7 @@
   /** Cells that need these parts of Python name them. */
   const WIDGETS = /\b(?:explorers?|ipywidgets|anywidget|interact)\b/;
   const SIMULATOR = /\b(?:mujoco|labutils|lab)\b/;
+  const RECORDINGS = /\b(?:recordings|load_recording)\b/;
 
   /**
    * Which parts of Python code needs.
@@ -27,6 +28,7 @@
    */
   function findParts(code) {
     const parts = SIMULATOR.test(code) ? ["simulator"] : [];
+    if (RECORDINGS.test(code)) parts.push("recordings");
     return WIDGETS.test(code) ? [...parts, "widgets"] : parts;
   }
 
@@ -188,6 +190,7 @@
   const session = {
     cells,
     add,
+    findParts,
     run,
     runAbove,
     runAll,

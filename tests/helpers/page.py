@@ -12,7 +12,14 @@ from typing import Any
 
 from tools import ROOT
 from tools.stable_zip import make_zip
-from tools.vendor import npm, pack_python, page_python, page_simulator, page_wheels
+from tools.vendor import (
+    npm,
+    pack_python,
+    page_python,
+    page_recordings,
+    page_simulator,
+    page_wheels,
+)
 
 HARNESS = ROOT / "tests" / "page" / "_python.mjs"
 #: Beside what every page loads: all check tables, which a page loads one by one.
@@ -77,6 +84,8 @@ def write_assets(folder: Path, wheels: page_wheels.Wheels, extra: dict[str, byte
     paths = {path for pattern in LIBRARY for path in ROOT.glob(pattern)}
     library = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in paths}
     (folder / "labutils.zip").write_bytes(make_zip(sorted((library | extra).items())))
+    for name, content in page_recordings.make_recording_assets().items():
+        (folder / name).write_bytes(content)
     for name, content in page_simulator.make_simulator_assets().items():
         # Node takes a file for a module by its ending
         place = folder / (name[:-3] + ".mjs" if name.endswith(".js") else name)

@@ -13,7 +13,17 @@ from tools.vendor import npm, page_python
 
 INSIDE = Path(__file__).parent / "inside"
 #: In the order in which they run: the last one breaks the engine down.
-FILES = ("names", "arrays", "objects", "errors", "rays", "parity", "exercises", "memory")
+FILES = (
+    "names",
+    "arrays",
+    "objects",
+    "errors",
+    "rays",
+    "parity",
+    "exercises",
+    "recordings",
+    "memory",
+)
 
 
 @pytest.fixture(scope="session")

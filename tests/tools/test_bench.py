@@ -8,7 +8,7 @@ import pytest
 
 from tools import headless
 from tools.bench import __main__ as every
-from tools.bench import checks, explorers, page_python
+from tools.bench import checks, explorers, page_python, stereo
 from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -100,3 +100,14 @@ def test_what_could_not_be_measured_is_no_success(
 def test_python_in_the_page_is_told_as_a_ratio(capsys: pytest.CaptureFixture[str]) -> None:
     page_python.print_line("every later check", [9000.0], "the native check", [3.0])
     assert "3000.0 x the native check (9000 ms to 3 ms" in capsys.readouterr().out
+
+
+def test_matching_is_told_in_times_of_block_matching(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    times = {name: [10.0 if name.startswith("ssd") else 0.5] for name in stereo.ROUTES}
+    monkeypatch.setattr(stereo, "measure", lambda *_: times)
+    assert stereo.main([]) == 0  # 20 times is slower than the goal, and no failure
+    said = capsys.readouterr().out
+    assert re.search(r"^ssd_disparity, 9x9 +20\.0 +10000\.0 ms$", said, re.MULTILINE)
+    assert next(iter(stereo.ROUTES)) == "cv2.StereoBM, 15x15"

@@ -23,6 +23,7 @@ from tools.vendor import (
     npm,
     pack_python,
     page_python,
+    page_recordings,
     page_simulator,
     page_wheels,
     page_widgets,
@@ -33,6 +34,7 @@ ROOT = Path(__file__).resolve().parents[2]
 REAL_MANIFEST, REAL_PACKED = pack_python.MANIFEST, pack_python.PACKED
 BUDGET = 13_000_000  # bytes, gzipped, on the first click
 SIMULATOR_BUDGET = 3_000_000  # on top, with the first cell that simulates
+RECORDINGS_BUDGET = 3_000_000  # on top, with the first cell that reads a recording
 EDITOR_BUDGET = 160e3  # loaded with the exercises, and with the first Edit of a chapter
 PIECE = re.compile(r'cameraLabAsset\("([^"]+)",(\d+),"([A-Za-z0-9+/=]*)"\);\n')
 
@@ -78,6 +80,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     small = {"simulator.zip": b"s" * 100, "vendor/mujoco.wasm": b"w" * 100}
     monkeypatch.setattr(page_simulator, "make_simulator_assets", lambda: small)
     monkeypatch.setattr(page_widgets, "make_widget_assets", lambda: {"widgets.zip": b"x" * 100})
+    clips = {"recordings.zip": b"r" * 100}
+    monkeypatch.setattr(page_recordings, "make_recording_assets", lambda: clips)
     monkeypatch.setattr(page_python, "minify_scripts", copy_scripts)
     monkeypatch.setattr(page_python, "VENDOR", vendor)
     monkeypatch.setattr(pack_python, "PACKED", tmp_path / "packed")
@@ -224,6 +228,7 @@ def test_a_first_click_loads_less_than_its_budget() -> None:
     largest = max(asset["bytes"] for asset in manifest["tables"].values())
     assert pack_python.count_bytes(manifest, "python") + largest < BUDGET
     assert pack_python.count_bytes(manifest, "simulator") < SIMULATOR_BUDGET
+    assert pack_python.count_bytes(manifest, "recordings") < RECORDINGS_BUDGET
 
 
 def test_the_editor_is_made_of_locked_packages() -> None:

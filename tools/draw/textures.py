@@ -15,39 +15,13 @@ from typing import TYPE_CHECKING
 import cv2
 import numpy as np
 
+from labutils.room.textures import make_noise
 from tools import ROOT
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 TEXTURES = ROOT / "assets" / "textures"
-
-
-def make_noise(rng: np.random.Generator, size: int, sigma_x: float, sigma_y: float) -> np.ndarray:
-    """Return smooth noise that tiles without a seam.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the white noise.
-    size : int
-        Width and height in pixels.
-    sigma_x, sigma_y : float
-        Standard deviation of the blur along columns and along rows, in pixels.
-
-    Returns
-    -------
-    numpy.ndarray, shape (size, size), float64
-        Zero mean, unit variance.
-    """
-    white = rng.standard_normal((size, size))
-    # A Gaussian blur done in the frequency domain is periodic, hence no seam.
-    freq_x = np.fft.rfftfreq(size)[None, :]
-    freq_y = np.fft.fftfreq(size)[:, None]
-    low_pass = np.exp(-2 * np.pi**2 * ((freq_x * sigma_x) ** 2 + (freq_y * sigma_y) ** 2))
-    noise = np.fft.irfft2(np.fft.rfft2(white) * low_pass, s=(size, size))
-    noise -= noise.mean()
-    return noise / noise.std()
 
 
 def make_wood(size: int = 512, planks: int = 6) -> np.ndarray:

@@ -27,7 +27,14 @@ from labutils.checks.table import TABLES, read_completions, read_words
 from tools import ROOT
 from tools.derive import page_mujoco
 from tools.stable_zip import make_zip
-from tools.vendor import npm, page_python, page_simulator, page_wheels, page_widgets
+from tools.vendor import (
+    npm,
+    page_python,
+    page_recordings,
+    page_simulator,
+    page_wheels,
+    page_widgets,
+)
 from tools.vendor.npm import VendorError
 from tools.vendor.page_optional import find_optional
 
@@ -111,6 +118,7 @@ def pack(wheels: page_wheels.Wheels, version: str) -> dict[str, Any]:
     for part, contents in (
         ("simulator", page_simulator.make_simulator_assets()),
         ("widgets", page_widgets.make_widget_assets()),
+        ("recordings", page_recordings.make_recording_assets()),
     ):
         parts[part] = [write_asset(folder, *one) for one in sorted(contents.items())]
     tables = {
@@ -200,6 +208,7 @@ def _fingerprint(wheels: page_wheels.Wheels) -> str:
     sources += [path for pattern in LIBRARY for path in ROOT.glob(pattern)]
     sources += [*page_widgets.list_widget_sources(), *page_simulator.SOURCES.rglob("*.*")]
     sources += [page_simulator.SCENE, *page_simulator.TEXTURES.glob("*")]
+    sources += [path for _, path in page_recordings.list_files()]
     for path in sorted(path for path in sources if path.is_file()):
         digest.update(path.name.encode() + b"\0" + path.read_bytes())
     engine = npm.get_checksum(page_mujoco.PACKAGE)

@@ -169,3 +169,12 @@ test("code says which parts of Python it needs", async () => {
     [[], ["simulator"]],
   );
 });
+
+test("code that reads a recording brings the recorded pictures", async () => {
+  const { session } = await makePage([]);
+  const line = "from labutils.recordings import load_recording";
+  assert.deepEqual(session.findParts(line), ["simulator", "recordings"]);
+  assert.deepEqual(session.findParts("clip = load_recording('room')"), ["recordings"]);
+  assert.deepEqual(session.findParts("import labutils as lab"), ["simulator"]);
+  assert.deepEqual(session.findParts("recording = pair.left"), []);
+});

@@ -1,0 +1,1 @@
+"""Record the clip that the chapters on stereo, odometry and mapping read."""
