@@ -230,6 +230,7 @@ show(ssd_disparity(left, right, max_disparity=24), "disparity in pixels")""",
         asked("example", ".tolist()", "value"),
     ),
     asks={
+        "max_disparity": "int\nHow many candidates are tried, at least 2.",
         "Returns": (
             "ndarray, float, shape (H, W)\n"
             "    Whole pixels; NaN where no candidate has both windows inside the pictures."

@@ -199,7 +199,7 @@ GRID = np.arange(12.0).reshape(4, 3)
             "disparity",
             np.full((4, 5), 7.0),
             np.full((4, 5), 9.0),
-            "100 % of x is wrong by more than 0 px, all over the picture: 100 % too large, typi",
+            "100 % of the pixels of x are off by more than 0 px, all over the picture: 100 % too l",
         ),
     ],
 )
@@ -280,13 +280,17 @@ def make_steps() -> np.ndarray:
 @pytest.mark.parametrize(
     ("place", "value", "words"),
     [
-        (np.s_[:, 2:14], np.nan, "most of it in the columns at the left: 18 % missing (NaN)."),
-        (np.s_[16:24, 24:36], 4.5, "most of it where something is near: 4 % too small, typical"),
+        (np.s_[:, 2:14], np.nan, "most of them in the columns at the left: 18 % missing (NaN)."),
+        (np.s_[16:24, 24:36], 4.5, "most of them where something is near: 4 % too small, typical"),
         (np.s_[:2, 2:-2], 1.0, "along the edge of the picture: 5 % given where none is due."),
-        (np.s_[16:24, 21:24], 12.0, "most of it beside jumps of the disparity: 1 % too large"),
-        (np.s_[20, 2:9], 5.0, "less than 1 % of x is wrong by more than 0.25 px, most of it in"),
-        (np.s_[2:-2, 46:-2], 4.5, "most of it in the columns at the right: 18 % too large"),
-        (np.s_[3:38:2, 2:], np.nan, "by more than 0.25 px, all over the picture: 4"),
+        (np.s_[16:24, 21:24], 12.0, "most of them beside jumps of the disparity: 1 % too large"),
+        (
+            np.s_[20, 2:9],
+            5.0,
+            "less than 1 % of the pixels of x are off by more than 0.25 px, most of them in",
+        ),
+        (np.s_[2:-2, 46:-2], 4.5, "most of them in the columns at the right: 18 % too large"),
+        (np.s_[3:38:2, 2:], np.nan, "more than 0.25 px, all over the picture: 4"),
     ],
 )
 def test_wrong_disparities_are_told_by_share_and_place(
@@ -299,6 +303,9 @@ def test_wrong_disparities_are_told_by_share_and_place(
         make_table(Part("x", "disparity", "float", atol=0.25), due), ((yours,),)
     )
     assert words in verdict.paragraphs[0]
+    # The worst pixel is one that is off by something; where all are missing, one of them.
+    worst = "(2, 0)" if np.isnan(due[place]).all() else "(u, v) = ("
+    assert worst in verdict.paragraphs[1]
 
 
 def test_difference_of_disparities_shows_side_and_absence() -> None:

@@ -38,10 +38,15 @@ class Disparity(Picture):
         ]
         if off.any():
             texts.append(f"{_to_share(off)} {_describe_sides((yours - expected)[off])}")
-        return (
-            f"{_to_share(wrong)} of {part.name} is wrong by more than {part.atol:g} px, "
-            f"{_find_place(expected, wrong)}: {', '.join(texts)}."
-        )
+        start = f"{_to_share(wrong)} of the pixels of {part.name} are off by more than"
+        return f"{start} {part.atol:g} px, {_find_place(expected, wrong)}: {', '.join(texts)}."
+
+    def _find_worst(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> tuple[int, int]:
+        """Return (u, v) of the largest difference, of a missing value where there is none."""
+        gaps = np.abs(self.get_differences(part, expected, yours))
+        known = np.where(np.isfinite(gaps), gaps, 0)
+        v, u = np.unravel_index(int(np.argmax(known if known.any() else gaps)), gaps.shape)
+        return int(u), int(v)
 
     def draw(self, part: Part, expected: np.ndarray, yours: np.ndarray) -> PanelPicture | None:
         """Draw both, and the difference: blue is too small, red too large, gray missing."""
@@ -81,7 +86,7 @@ def _find_place(expected: np.ndarray, wrong: np.ndarray) -> str:
         inside = np.count_nonzero(wrong & place) / np.count_nonzero(wrong)
         area = np.count_nonzero(place) / place.size
         if inside >= _INSIDE and 0 < area <= _AREA and inside / area > best:
-            best, where = inside / area, f"most of it {words}"
+            best, where = inside / area, f"most of them {words}"
     return where
 
 
@@ -101,8 +106,8 @@ def _list_places(expected: np.ndarray) -> list[tuple[str, np.ndarray]]:
     # As far as windows of the usual size reach.
     beside = cv2.dilate(jumps.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
     return [
-        ("in the columns at the left", columns < width // 4),
-        ("in the columns at the right", columns >= width - width // 4),
+        ("in the columns at the left", columns < width // 3),
+        ("in the columns at the right", columns >= width - width // 3),
         ("along the edge of the picture", rim),
         ("where something is near", known & (filled > middle)),
         ("where everything is far away", known & (filled < middle)),

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tools.mutants.inputs import clouds, numbers, pictures, scenes
+from tools.mutants.inputs import clouds, numbers, pictures, scenes, stereo
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,6 +21,7 @@ MAKERS: dict[str, Callable[[np.random.Generator], tuple[Any, ...]]] = {
     **pictures.MAKERS,
     **clouds.MAKERS,
     **scenes.MAKERS,
+    **stereo.MAKERS,
 }
 
 #: How many draws decide whether a mutant differs, and where one call takes long, how many.
@@ -30,6 +31,7 @@ FEWER_DRAWS = {
     "get_camera_intrinsics": 500,
     "rank_cameras": 500,
     "level_cloud": 150,
+    "ssd_disparity": 2000,
 }
 
 _SEED = 20_260
