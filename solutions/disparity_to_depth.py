@@ -153,10 +153,11 @@ EXERCISE = Exercise(
         ),
     ),
     example="""\
-exact = lab.depth_to_disparity(depth, K, baseline=0.064)
-found = np.round(exact)  # as whole pixels tell it
-measured = disparity_to_depth(found, K, 0.064)
-show(np.abs(measured - depth), "error in meters")""",
+from labutils.recordings import load_recording
+pair = load_recording("room").pairs[0]
+found = lab.ssd_disparity(pair.left, pair.right, max_disparity=96)
+measured = disparity_to_depth(found, pair.K, pair.baseline)
+show(np.minimum(measured, 5), "meters, 5 and more in one color")""",
     contract=(
         told("same-point", "Both cameras see the same point"),
         asked(

@@ -179,12 +179,12 @@ EXERCISE = Exercise(
         ),
     ),
     example="""\
-K_eye, _ = lab.get_camera_intrinsics(model, "left_eye", 640, 480)
-found = []
-for eye in ("left_eye", "right_eye"):
-    _, z = lab.render_camera(model, data, renderer, eye)
-    found.append(lab.depth_to_disparity(z, K_eye, baseline=0.064))
-show(lr_check(*found), "what both eyes see")""",
+from labutils.recordings import load_recording
+pair = load_recording("room").pairs[0]
+left, right = (one[120:300:2, 160:440:2] for one in (pair.left, pair.right))
+found = lab.ssd_disparity(left, right, 48)
+mirrored = lab.ssd_disparity(right[:, ::-1], left[:, ::-1], 48)
+show(lr_check(found, mirrored[:, ::-1]), "white is kept")""",
     contract=(
         told("always-answers", "A search always finds something"),
         asked("partner", "leads to a partner", "mistake other-direction", "mistake same-column"),

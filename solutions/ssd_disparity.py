@@ -192,12 +192,11 @@ EXERCISE = Exercise(
         ),
     ),
     example="""\
-left, right = (
-    lab.render_camera(model, data, renderer, eye)[0][160:320:2, 80:480:2, 1]
-    for eye in ("left_eye", "right_eye")
-)
+from labutils.recordings import load_recording
+pair = load_recording("room").pairs[0]
+left, right = (one[120:300:2, 160:440:2] for one in (pair.left, pair.right))
 show(left, "a part of the left picture, every second pixel")
-show(ssd_disparity(left, right, max_disparity=24), "disparity in pixels")""",
+show(ssd_disparity(left, right, max_disparity=48), "disparity in pixels")""",
     contract=(
         told("same-way", "Two cameras look the same way"),
         asked(

@@ -185,12 +185,11 @@ EXERCISE = Exercise(
         ),
     ),
     example="""\
-left, right = (
-    lab.render_camera(model, data, renderer, eye)[0][160:320:2, 80:480:2, 1]
-    for eye in ("left_eye", "right_eye")
-)
-found = lab.ssd_disparity(left, right, 24)
-show(subpixel(lab.matching_cost(left, right, 24), found), "in pixels")""",
+from labutils.recordings import load_recording
+pair = load_recording("room").pairs[0]
+left, right = (one[120:300:2, 160:440:2] for one in (pair.left, pair.right))
+found = lab.ssd_disparity(left, right, 48)
+show(subpixel(lab.matching_cost(left, right, 48), found), "in pixels")""",
     contract=(
         told("whole-only", "Winner-takes-all knows whole pixels only"),
         told("between", "But the costs know more"),

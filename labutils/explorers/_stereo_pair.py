@@ -41,6 +41,12 @@ def _to_gray(name: str, picture: np.ndarray) -> np.ndarray:
     return gray
 
 
+def encode_noisy(gray: np.ndarray) -> bytes:
+    """Compress a gray picture, losing nothing; in its noise no run of bytes comes twice."""
+    filtered = (cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_FILTERED)
+    return cv2.imencode(".png", gray, [cv2.IMWRITE_PNG_COMPRESSION, 9, *filtered])[1].tobytes()
+
+
 def disparity_to_steps(disparity: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Count disparity in steps of `DISPARITY_STEP`: uint16 (H, W), 0 for none, or out of range."""
     pixels = check_real_array("truth", disparity).astype(np.float64)

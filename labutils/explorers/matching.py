@@ -31,6 +31,7 @@ from labutils.explorers._stereo_pair import (
     check_whole,
     disparity_to_steps,
     draw_match,
+    encode_noisy,
     make_gray_pair,
 )
 from labutils.explorers._window_match import (
@@ -265,8 +266,8 @@ def explore_matching(
     view = MatchingView(
         label="Matching explorer",
         help="Choose a pixel. Then change window, search and noise.",
-        left_png=encode_gray(gray_left),
-        right_png=encode_gray(gray_right),
+        left_png=encode_noisy(gray_left),
+        right_png=encode_noisy(gray_right),
         truth_png=b"" if truth is None else encode_gray(disparity_to_steps(truth, gray_left.shape)),
         K=matrix.tolist(),
         baseline=meters,
