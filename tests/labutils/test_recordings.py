@@ -34,11 +34,11 @@ def recording() -> Recording:
 def test_the_clip_is_small_and_lossless() -> None:
     files = [path for path in CLIPS.rglob("*") if path.is_file()]
     assert 1e6 < sum(path.stat().st_size for path in files) < SIZE_LIMIT
-    assert {path.suffix for path in files} == {".png", ".json", ".npz", ".md"}
+    assert {path.suffix for path in files} == {".png", ".json", ".npz", ".txt"}
 
 
 def test_the_clip_states_its_license() -> None:
-    assert "CC BY 4.0" in (CLIPS / "README.md").read_text(encoding="utf-8")
+    assert "CC BY 4.0" in (CLIPS / "README.txt").read_text(encoding="utf-8")
     assert "assets/clip/" in (CLIPS.parents[1] / "LICENSE-TEXT").read_text(encoding="utf-8")
     assert "CC BY 4.0" in (CLIPS / "room" / "clip.json").read_text(encoding="utf-8")
 
