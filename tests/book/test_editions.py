@@ -227,10 +227,10 @@ def test_links_and_pictures_lead_to_files_of_the_zip(files: dict[str, bytes]) ->
             continue
         for link in re.findall(r"\]\((?!\w+:|#)([^)#\s]+)[^)]*\)", content.decode()):
             target = os.path.normpath(PurePosixPath(name).parent / link)
-            if Path(target).suffix in (".md", ".ipynb", ".svg", ".png"):
+            if Path(target).suffix in (".md", ".ipynb", ".svg", ".png", ".webm", ".webp"):
                 assert Path(target).as_posix() in files, (name, link)
                 followed.add(Path(target).suffix)
-    assert {".md", ".ipynb", ".svg"} <= followed
+    assert {".md", ".ipynb", ".svg", ".webm", ".webp"} <= followed
 
 
 def test_two_zips_are_the_same_to_the_byte(files: dict[str, bytes]) -> None:

@@ -39,6 +39,7 @@ TREES = ("labutils", "assets")
 INSTALL_SECTIONS = ("build-system", "project", "tool.setuptools")
 
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
+VIDEO = ".webm"  # goes into the zip where a page links it
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)(?:#[^)\s]*)?(?=\))")
 
 
@@ -97,7 +98,7 @@ def is_notebook(text: str) -> bool:
 
 
 def make_pages(root: Path, pages: dict[str, str], shipped: dict[str, str]) -> dict[str, bytes]:
-    """Return the pages as notebooks or Markdown, and the pictures they show."""
+    """Return the pages as notebooks or Markdown, with their pictures and videos."""
     labels = find_labels(pages)
     files: dict[str, bytes] = {}
     for name, text in pages.items():
@@ -116,6 +117,10 @@ def make_pages(root: Path, pages: dict[str, str], shipped: dict[str, str]) -> di
         for picture in PICTURE.findall(content):
             path = _normalize(folder / picture)
             if (root / path).is_file():
+                files[path] = (root / path).read_bytes()
+        for link in LINK.findall(content):
+            if link.endswith(VIDEO):
+                path = _normalize(folder / link)
                 files[path] = (root / path).read_bytes()
         files[shipped[name]] = content.encode()
     return files
