@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from tools import ROOT
 
-BENCHES = ("clouds", "checks", "explorers", "page_python", "page_cells")
+BENCHES = ("clouds", "checks", "explorers", "following", "page_python", "page_cells")
 
 
 def main(benches: Iterable[str] = BENCHES) -> int:
