@@ -49,7 +49,7 @@ def test_the_live_run_begins_at_its_beginning(seen: dict[str, Any]) -> None:
     first = seen["live"]["first"]
     assert (first["steps"], first["values"]["time"]) == (0, None)
     assert first["note"].startswith("Live")
-    assert [name for name, _ in first["buttons"]][0] == "Run"
+    assert first["buttons"][0] == ["Run", False]
     # what was chosen in the recording is carried over, but nothing of it is there any more
     assert first["parameters"]["moment"] == -1
 
@@ -97,5 +97,5 @@ def test_an_exception_is_shown_in_words_and_loses_nothing(seen: dict[str, Any]) 
     assert where == "control stopped the run at 0.25 s in line 3: return 1 / 0"
     assert what == "ZeroDivisionError: division by zero"
     assert stopped["steps"] == again["steps"] == 5
-    assert [name for name, _ in stopped["buttons"]][0] == "Run"
+    assert stopped["buttons"][0] == ["Run", False]
     assert again["problem"] == stopped["problem"]

@@ -49,6 +49,7 @@ function collect(root, steps) {
 async function runCode(code) {
   const order = { kind: "cell", code, name: "a bench", isSetup: false };
   const { python } = /** @type {any} */ (window).cameraLab;
+  python.options.limitMs = 120_000; // a bench may run beside others
   const said = await python.run({ key: "a bench", order, parts: ["simulator"], say() {} });
   return said.outputs.map(({ text, traceback }) => text ?? String(traceback)).join("");
 }
