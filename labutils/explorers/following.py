@@ -83,6 +83,12 @@ class FollowingView(View):
         super().__init__(**traits)
         #: What is told of each command: those of the recording until a live run takes their place.
         self.shown: list[dict[str, Any]] = to_moments(self.moments)
+        self._is_live = False
+
+    def follow(self, moments: list[dict[str, Any]]) -> None:
+        """Tell of a live run from now on, and of what is added to its list of moments."""
+        self.shown = moments
+        self._is_live = True
 
     @property
     def settings(self) -> FollowingSettings:
@@ -94,18 +100,21 @@ class FollowingView(View):
 
         Means leave out the first second, the ball behind the board, and a second after it. What is
         not known is None: the error in mm where the controller did not say where the center is.
+        `is_current` says whether the sliders stand as they did in the run.
         """
+        is_current = self._is_live or self.settings._asdict() == self.recorded
         count = len(self.shown) if self.moment == LAST else self.moment + 1
         until = self.shown[:count]
         if not until:
             names = ("time", "error_px", "error_mm", "is_hidden", "mean_px", "mean_mm")
-            return dict.fromkeys(names)
+            return {**dict.fromkeys(names), "is_current": is_current}
         now = until[-1]
         measured = [one for one in until if one["is_measured"]]
         return {
             **{name: now[name] for name in ("time", "error_px", "error_mm", "is_hidden")},
             "mean_px": _get_mean([one["error_px"] for one in measured]),
             "mean_mm": _get_mean([one["error_mm"] for one in measured]),
+            "is_current": is_current,
         }
 
     def describe(self) -> str:
@@ -191,7 +200,7 @@ class FollowingExplorer(Explorer):
         Exception
             What the controller raises.
         """
-        self.view.shown = self._run.moments
+        self.view.follow(self._run.moments)
         for _ in range(count):
             self._run.settings = self.view.settings
             self._run.step()
@@ -202,7 +211,7 @@ class FollowingExplorer(Explorer):
         if kind == "restart":
             self._run.start_again()
         if kind in ("hello", "restart"):
-            self.view.shown = self._run.moments
+            self.view.follow(self._run.moments)
             told = {"kind": "ready", "id": content["id"]}
             self._show_page(told, self._run.draw_eye(), self._run.draw_outside())
         elif kind == "step":

@@ -108,6 +108,16 @@ def test_a_moment_in_between_tells_of_what_came_before(recorded: FollowingExplor
     assert values["mean_px"] == pytest.approx(np.mean(until))
 
 
+def test_a_recording_says_whether_it_was_made_with_other_settings(
+    recorded: FollowingExplorer,
+) -> None:
+    told = []
+    for gain in (1.0, 0.5, 1.0):
+        recorded.move(gain=gain)
+        told.append(recorded.values["is_current"])
+    assert told == [True, False, True]
+
+
 def test_a_recording_is_small_and_its_pictures_can_be_read(recorded: FollowingExplorer) -> None:
     view = recorded.view
     assert len(view.pictures) < 180e3  # a page carries it as text, a third longer
@@ -123,7 +133,7 @@ def test_no_run_is_recorded_where_python_answers_by_itself(monkeypatch: pytest.M
     monkeypatch.setattr(sys, "platform", "emscripten")
     explorer = explore_following(stand, **SIZE)
     assert explorer.view.places == []
-    assert explorer.values == dict.fromkeys(NAMES)
+    assert explorer.values == {**dict.fromkeys(NAMES), "is_current": True}
     assert repr(explorer) == "Following: not begun"
     assert explorer.view.draw_poster().shape == (30, 80, 3)
 
@@ -154,7 +164,7 @@ def test_start_again_forgets_what_was(
     explorer._run.hide()
     ((told, pictures),) = ask(explorer, monkeypatch, kind="restart")
     assert (told["kind"], len(pictures)) == ("ready", 2)
-    assert explorer.values == dict.fromkeys(NAMES)
+    assert explorer.values == {**dict.fromkeys(NAMES), "is_current": True}
     explorer.step()
     assert explorer.values["time"] == 0
     assert not explorer.values["is_hidden"]
@@ -320,7 +330,7 @@ def test_both_languages_read_a_run_alike(recorded: FollowingExplorer) -> None:
     assert told["values"][0] == dict.fromkeys(NAMES)
     for place, values in zip((0, 30, 119), told["values"][1:], strict=True):
         view.moment = place
-        assert values == pytest.approx(view.compute())
+        assert {**values, "is_current": True} == pytest.approx(view.compute())
     view.moment = module.LAST
     hidden = [one["time"] for one in view.shown if one["is_hidden"]]
     assert told["hidden"] == [pytest.approx([hidden[0], hidden[-1] + DT])]

@@ -8,7 +8,7 @@ import pytest
 
 from tools import headless
 from tools.bench import __main__ as every
-from tools.bench import checks, explorers, page_python, stereo
+from tools.bench import checks, explorers, page_following, page_python, stereo
 from tools.vendor import npm
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -84,7 +84,7 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(
     assert row.split() == ["hsv", "3", "500.0", "ms", "600.0", "ms", "10.0", "ms", "50.00"]
 
 
-@pytest.mark.parametrize("bench", [explorers, page_python])
+@pytest.mark.parametrize("bench", [explorers, following, page_python])
 def test_what_could_not_be_measured_is_no_success(
     bench: ModuleType,
     tmp_path: Path,
@@ -92,7 +92,7 @@ def test_what_could_not_be_measured_is_no_success(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setattr(headless, "STUDENT_PAGES", tmp_path)
-    monkeypatch.setattr(page_python, "HTML", tmp_path)
+    monkeypatch.setattr(page_python, "HTML", tmp_path)  # where `has_wheels` looks
     assert bench.main([]) == 1
     assert "not measured" in capsys.readouterr().out
 
@@ -111,3 +111,15 @@ def test_matching_is_told_in_times_of_block_matching(
     said = capsys.readouterr().out
     assert re.search(r"^ssd_disparity, 9x9 +20\.0 +10000\.0 ms$", said, re.MULTILINE)
     assert next(iter(stereo.ROUTES)) == "cv2.StereoBM, 15x15"
+
+
+def test_the_live_loop_is_told_as_a_ratio_to_the_bare_one(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = {"shown": [900.0, 1000.0, 1100.0], "bare": [400.0, 500.0, 600.0]}
+    monkeypatch.setattr(headless, "find_browser", lambda *_: "chromium")
+    monkeypatch.setattr(headless, "run_script", lambda *_: found)
+    monkeypatch.setattr(npm, "install", lambda: "up to date")
+    monkeypatch.setattr(page_following, "has_wheels", lambda: True)
+    assert page_following.main([]) == 0
+    assert "2.0 x the bare loop (1000 ms to 500 ms" in capsys.readouterr().out

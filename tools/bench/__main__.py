@@ -11,7 +11,15 @@ from collections.abc import Iterable
 
 from tools import ROOT
 
-BENCHES = ("clouds", "stereo", "checks", "explorers", "page_python", "page_cells")
+BENCHES = (
+    "clouds",
+    "stereo",
+    "checks",
+    "explorers",
+    "page_python",
+    "page_cells",
+    "page_following",
+)
 
 
 def main(benches: Iterable[str] = BENCHES) -> int:

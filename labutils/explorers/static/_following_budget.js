@@ -18,7 +18,7 @@ export function makeBudget(parent) {
     /** @param {FollowingBudget[]} budget */
     show(budget) {
       const sum = budget.reduce((so_far, { ms }) => so_far + ms, 0);
-      total.textContent = `From picture to turn: ${sum.toFixed(0)} ms`;
+      total.textContent = `Picture to turn: ${sum.toFixed(0)} ms`;
       budget.forEach(({ name, ms }, i) => {
         rows[i] ??= { part: make("span", "", bar), words: make("li", "", list) };
         rows[i].part.style.flexGrow = String(ms);

@@ -16,8 +16,10 @@ import { defineView, drawOnChange, make, setTraits } from "./_frame.js";
 
 const LIVE = "Live: Python runs your control, one command after the other.";
 const LOST = "Python does not answer. Run the cell again.";
+const OTHERWISE = "Recorded with other settings.";
 const LONGEST =
-  "88.88 s: 188.8 px from the middle (mean 188.8 px), hidden; center 888 mm off (mean 888 mm).";
+  "88.88 s: 188.8 px from the middle (mean 188.8 px), hidden; center 888 mm off (mean 888 mm). " +
+  OTHERWISE;
 
 export default defineView("following", start);
 
@@ -64,7 +66,10 @@ async function start(model, frame) {
 
   const again = drawOnChange(model, frame, () => {
     const place = findPlace(model.get("moment"), frames.length);
-    const values = describeRun(frames, place);
+    const values = {
+      ...describeRun(frames, place),
+      is_current: player.isLive || isAsRecorded(model),
+    };
     const seen = findPicture(frames, place, "eye");
     if (seen) eye.show(seen.bytes);
     marks.show(seen ? seen.moment : null);
@@ -208,14 +213,25 @@ function tellRecorded(model) {
   );
 }
 
+/**
+ * Whether the sliders stand as they did when the run was recorded.
+ * @param {FollowingModel} model
+ */
+function isAsRecorded(model) {
+  const settings = Object.entries(model.get("recorded"));
+  return settings.every(
+    ([name, value]) => model.get(/** @type {keyof FollowingSettings} */ (name)) === value,
+  );
+}
+
 /** @param {FollowingProblem} problem */
 function writeProblem({ kind, message, line, code, time }) {
   const where = line === null ? "" : ` in line ${line}: ${code}`;
   return `control stopped the run at ${time.toFixed(2)} s${where}\n${kind}: ${message}`;
 }
 
-/** @param {FollowingValues} values */
-function inWords({ time, error_px, error_mm, is_hidden, mean_px, mean_mm }) {
+/** @param {FollowingValues & { is_current: boolean }} values */
+function inWords({ time, error_px, error_mm, is_hidden, mean_px, mean_mm, is_current }) {
   if (time === null) return "Not begun: press Run.";
   const write = (
     /** @type {number | null} */ value,
@@ -229,6 +245,7 @@ function inWords({ time, error_px, error_mm, is_hidden, mean_px, mean_mm }) {
       : `; center ${write(error_mm, 0, "mm")} off${mean(write(mean_mm, 0, "mm"))}`;
   return (
     `${time.toFixed(2)} s: ${write(error_px, 1, "px")} from the middle` +
-    `${mean(write(mean_px, 1, "px"))}${is_hidden ? ", hidden" : ""}${center}.`
+    `${mean(write(mean_px, 1, "px"))}${is_hidden ? ", hidden" : ""}${center}.` +
+    (is_current ? "" : ` ${OTHERWISE}`)
   );
 }
