@@ -220,6 +220,14 @@ def test_no_markup_of_the_book_is_left_for_a_notebook_to_show(files: dict[str, b
     assert read == len(get_toc_pages())
 
 
+def test_the_zip_brings_the_recordings_and_their_license(files: dict[str, bytes]) -> None:
+    clip = {name for name in files if name.startswith("assets/clip/")}
+    on_disk = {path for path in (ROOT / "assets" / "clip").rglob("*") if path.is_file()}
+    assert clip == {path.relative_to(ROOT).as_posix() for path in on_disk}
+    assert "assets/clip/room/clip.json" in clip
+    assert b"assets/clip/" in files["LICENSE-TEXT"]
+
+
 def test_links_and_pictures_lead_to_files_of_the_zip(files: dict[str, bytes]) -> None:
     followed = set()
     for name, content in files.items():
