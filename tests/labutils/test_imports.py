@@ -16,7 +16,15 @@ import labutils
 Imports = dict[str, set[str]]
 
 #: Geometry: what a robot without a screen, a grader or a browser needs first.
-ON_NUMPY_ALONE = ("cameras", "depth_values", "free_camera", "ply", "projection", "stereo")
+ON_NUMPY_ALONE = (
+    "cameras",
+    "depth_values",
+    "free_camera",
+    "ply",
+    "projection",
+    "stereo",
+    "stereo_refining",
+)
 
 #: What geometry itself stands on.
 BELOW_GEOMETRY = ("_constants", "_files", "_guards", "_ply_parts")
