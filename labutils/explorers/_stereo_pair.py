@@ -19,7 +19,7 @@ STRIP_SHARE = 0.3
 _MAX_STEPS = 65535
 #: Posters of larger pictures are made smaller: noise makes them heavy.
 _POSTER_WIDTH = 320
-#: Okabe and Ito's orange and bluish green, as in the style sheet.
+#: White, and Okabe and Ito's orange and bluish green.
 _WHITE, _FOUND, _TRUE = (255, 255, 255), (230, 159, 0), (0, 158, 115)
 
 

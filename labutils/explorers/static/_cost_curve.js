@@ -7,6 +7,7 @@ import { addShape, setShape } from "./_shapes.js";
 
 const STEPS = [1, 1.5, 2, 3, 4, 5, 6, 8, 10];
 const LEAST = 20; // squared gray levels: the ripples of a plain wall stay small
+const ROOM = 0.37; // of the plot, for the name of a valley: it stands away from the lowest one
 const REACH = 1.6; // disparities to either side that the parabola is drawn
 
 /**
@@ -60,11 +61,15 @@ export function makeCostCurve(parent, longest, choose) {
       const { disparity: best, truth: true_px } = values;
       setShape(parabola, { d: best === null ? "" : toPath(sampleParabola(costs, best).map(bend)) });
       show(point, best);
-      show(second, values.second);
+      // a valley may lie above the plot
+      const high = values.second === null ? 0 : toPlace(values.second, costs[values.second])[1];
+      const rival = high < area.top ? null : values.second;
+      show(second, rival);
       secondNote.textContent = "";
-      if (values.second !== null) {
-        place(secondNote, values.second, nameSecond(values.ratio));
-        setShape(secondNote, { y: plot.y(costs[values.second] / pixels) - 8 });
+      if (rival !== null) {
+        const share = rival < (best ?? 0) ? ROOM : 1 - ROOM;
+        place(secondNote, rival, nameSecond(values.ratio), share);
+        setShape(secondNote, { y: Math.max(high - 8, area.top + 24) });
       }
       const at = true_px === null ? "" : plot.x(true_px).toFixed(2);
       setShape(truth, { d: at && `M${at} ${area.top}V${area.bottom}` });
@@ -96,13 +101,14 @@ export function makeCostCurve(parent, longest, choose) {
   }
 
   /**
-   * Write beside a disparity, on the side on which there is room.
+   * Write beside a disparity: left of it beyond a share of the plot, else right of it.
    * @param {SVGElement} text
    * @param {number} disparity
    * @param {string} words
+   * @param {number} share
    */
-  function place(text, disparity, words) {
-    const onLeft = disparity > longest / 2;
+  function place(text, disparity, words, share = 0.5) {
+    const onLeft = disparity > share * longest;
     const at = plot.x(disparity);
     setShape(text, { x: onLeft ? at - 6 : at + 6, "text-anchor": onLeft ? "end" : "start" });
     text.textContent = words;
