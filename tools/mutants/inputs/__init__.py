@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tools.mutants.inputs import clouds, numbers, pictures, scenes
+from tools.mutants.inputs import clouds, loops, numbers, pictures, scenes
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -21,6 +21,7 @@ MAKERS: dict[str, Callable[[np.random.Generator], tuple[Any, ...]]] = {
     **pictures.MAKERS,
     **clouds.MAKERS,
     **scenes.MAKERS,
+    **loops.MAKERS,
 }
 
 #: How many draws decide whether a mutant differs, and where one call takes long, how many.
@@ -30,7 +31,12 @@ FEWER_DRAWS = {
     "get_camera_intrinsics": 500,
     "rank_cameras": 500,
     "level_cloud": 150,
+    "control": 12,
 }
+
+#: Seeds of hidden cases that a score is of, and for what acts in loops of seconds, how many.
+SEEDS = 50
+FEWER_SEEDS = {"control": 3}
 
 _SEED = 20_260
 
@@ -38,6 +44,11 @@ _SEED = 20_260
 def count_draws(name: str) -> int:
     """Return how many draws an exercise gets."""
     return FEWER_DRAWS.get(name, DRAWS)
+
+
+def count_seeds(name: str) -> int:
+    """Return the hidden cases of how many seeds are scored."""
+    return FEWER_SEEDS.get(name, SEEDS)
 
 
 def draw_input(name: str, number: int) -> tuple[Any, ...]:
