@@ -136,15 +136,15 @@ def test_a_loop_survives_being_written() -> None:
 
 
 def test_pictures_show_the_ball_where_rays_meet_it() -> None:
-    with FollowingLoop(80, 60, seed=3, noise=0.0, renderer_maker=LoopRenderer) as loop:
+    with FollowingLoop(160, 120, seed=3, noise=0.0, renderer_maker=LoopRenderer) as loop:
         loop.run(proportional, 0.5)
         model, data, K = loop.model, loop.data, loop.K
-        renderer = LoopRenderer(model, 60, 80)
+        renderer = LoopRenderer(model, 120, 160)
         renderer.update_scene(data)
         rgb = renderer.render()
         renderer.enable_depth_rendering()
         depth = renderer.render()
-        truth = raycast_depth(model, data, "head_camera", 80, 60)
+        truth = raycast_depth(model, data, "head_camera", 160, 120)
         ball = np.linalg.inv(renderer_pose(loop)) @ [*data.body("red_ball").xpos, 1.0]
     pixel = find_ball(rgb)
     assert pixel is not None
