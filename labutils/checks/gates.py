@@ -18,7 +18,7 @@ from labutils.checks.kinds import get_kind
 from labutils.checks.table import Case, CheckTable, Misfit, Outcome, Part, Raised, Scene
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 #: A part, what is due and what came.
 _Pair: TypeAlias = "tuple[Part, np.ndarray | None, np.ndarray | None]"
@@ -35,6 +35,10 @@ _DTYPES = {
     "bool": ("b", "True or False"),
     "str": ("U", "texts"),
 }
+
+
+#: Looks at one case for one property.
+_Gate: TypeAlias = "Callable[[CheckTable, int, Case, Outcome, Outcome], Failure | None]"
 
 
 @dataclass(frozen=True)
@@ -63,8 +67,9 @@ def find_failure(
     if failure := _find_crash(table, answers):
         return failure
     properties = dict.fromkeys(name for part in table.parts for name in get_kind(part).properties)
-    values = [partial(_check_value, name) for name in properties]
-    for gate in (_check_type, _check_shape, _check_dtype, _check_range, *values):
+    gates: list[_Gate] = [_check_type, _check_shape, _check_dtype, _check_range]
+    gates += [partial(_check_value, name) for name in properties]
+    for gate in gates:
         for index, (case, answer) in enumerate(zip(table.cases, answers, strict=True)):
             due = table.expected[index]
             if isinstance(due, Raised) or isinstance(answer, Raised):

@@ -233,7 +233,8 @@ def test_picture_of_255_levels_differs_by_no_more(kind: str) -> None:
 
 def test_every_kind_is_tried_above() -> None:
     (mark,) = test_difference_is_told_in_the_words_of_the_kind.pytestmark
-    assert {row[0] for row in mark.args[1]} == set(KINDS)
+    # What acts in loops has no value to differ from: its words are in test_check_loops.py.
+    assert {row[0] for row in mark.args[1]} == set(KINDS) - {"closed-loop"}
 
 
 @pytest.mark.parametrize(

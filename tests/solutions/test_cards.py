@@ -33,6 +33,32 @@ SEEDS = [
 ]
 
 
+#: A loop takes a second where a call takes a millisecond: of what acts, pairs are tested slowly.
+PAIRS = [
+    pytest.param(False, id="singles"),
+    pytest.param(True, id="pairs of what acts in loops", marks=pytest.mark.slow),
+]
+
+
+def acts_in_loops(exercise: Exercise) -> bool:
+    return not all(get_kind(part).is_repeatable for part in exercise.parts)
+
+
+def choose_seeds(exercise: Exercise, seeds: range) -> range:
+    """Leave all but one seed of what acts in loops to the slow tests."""
+    if not acts_in_loops(exercise):
+        return seeds
+    return range(1) if seeds.start == 0 else range(1, seeds.stop)
+
+
+def list_combinations(exercise: Exercise, *, of_loops: bool) -> list[tuple[str, ...]]:
+    """List mistakes and pairs; of what acts in loops the mistakes, or the pairs."""
+    every = exercise.get_combinations()
+    if not acts_in_loops(exercise):
+        return [] if of_loops else [*every]
+    return [made for made in every if (len(made) == 2) is of_loops]
+
+
 def get_parts(due: Outcome) -> "Parts | None":
     """Return what is due, or None where that is an exception."""
     if isinstance(due, Raised):
@@ -73,7 +99,7 @@ def test_reference_passes_the_shipped_table(exercise: Exercise, table: CheckTabl
 def test_reference_passes_hidden_cases_of_20_seeds(
     exercise: Exercise, hidden_table: Callable[[int], CheckTable], seeds: range
 ) -> None:
-    for seed in seeds:
+    for seed in choose_seeds(exercise, seeds):
         hidden = hidden_table(seed)
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(()))) is None
 
@@ -83,6 +109,12 @@ def test_hidden_cases_depend_on_the_seed_and_on_nothing_else(exercise: Exercise)
         cases = exercise.hidden(np.random.default_rng(seed))
         return exercise.collect(exercise.reference, cases)
 
+    if acts_in_loops(exercise):
+        # The same is due of every ball: that it stays in the middle.
+        here, again, there = (exercise.hidden(np.random.default_rng(n)) for n in (3, 3, 4))
+        assert here == again
+        assert all(one.args != two.args for one, two in zip(here, there, strict=True))
+        return
     for same, other in zip(outcomes(3), outcomes(3), strict=True):
         assert is_same_outcome(exercise.parts, same, other)
     assert not all(
@@ -104,8 +136,11 @@ def test_untouched_starter_scores_0(
     assert "Not started yet" in verdict.message
 
 
-def test_every_mistake_and_pair_is_named_as_itself(exercise: Exercise, table: CheckTable) -> None:
-    for made in exercise.get_combinations():
+@pytest.mark.parametrize("of_loops", PAIRS)
+def test_every_mistake_and_pair_is_named_as_itself(
+    exercise: Exercise, table: CheckTable, of_loops: bool
+) -> None:
+    for made in list_combinations(exercise, of_loops=of_loops):
         verdict = judge(table, exercise.make_wrong(made))
         assert not verdict.passed, f"{made} passes the visible cases: add a case that shows it"
         named = verdict.misconception
@@ -117,7 +152,7 @@ def test_every_mistake_and_pair_is_named_as_itself(exercise: Exercise, table: Ch
 def test_every_mistake_fails_hidden_cases_of_20_seeds(
     exercise: Exercise, hidden_table: Callable[[int], CheckTable], seeds: range
 ) -> None:
-    for seed in seeds:
+    for seed in choose_seeds(exercise, seeds):
         hidden = hidden_table(seed)
         for mistake in exercise.misconceptions:
             answers = collect_answers(hidden, exercise.make_wrong((mistake.name,)))
@@ -125,12 +160,13 @@ def test_every_mistake_fails_hidden_cases_of_20_seeds(
             assert failure, f"{mistake.name} passes the hidden cases of seed {seed}"
 
 
+@pytest.mark.parametrize("of_loops", PAIRS)
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
 def test_every_pair_fails_hidden_cases(
-    exercise: Exercise, hidden_table: Callable[[int], CheckTable], seed: int
+    exercise: Exercise, hidden_table: Callable[[int], CheckTable], seed: int, of_loops: bool
 ) -> None:
     hidden = hidden_table(seed)
-    for made in exercise.get_combinations():
+    for made in list_combinations(exercise, of_loops=of_loops):
         assert find_failure(hidden, collect_answers(hidden, exercise.make_wrong(made))), made
 
 
@@ -249,7 +285,8 @@ def test_share_of_pixels_is_load_bearing(
 def test_messages_are_short_and_keep_the_right_numbers_to_themselves(
     exercise: Exercise, table: CheckTable
 ) -> None:
-    functions = [exercise.make_wrong(made) for made in exercise.get_combinations()]
+    made = list_combinations(exercise, of_loops=False)
+    functions = [exercise.make_wrong(one) for one in made]
     functions += [
         lambda *_: 0.0,
         lambda *_: (0, 0),

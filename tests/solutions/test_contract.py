@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pytest
 
+from labutils.checks.loops.scenario import Loop
 from labutils.checks.table import Scene
 from solutions import load_exercises
 from solutions._contract import Duty, asked, given, told
@@ -104,7 +105,7 @@ def test_arguments_have_the_type_that_the_starter_promises(name: str) -> None:
     for case in cases:
         names = iter(exercise.parameters)
         for value in case.args:
-            if isinstance(value, Scene):
+            if isinstance(value, Scene | Loop):
                 for _ in value.gives:
                     next(names)
                 continue

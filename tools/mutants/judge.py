@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 #: Seconds of computing after which a mutant is taken for one that never answers: a hundred times
 #: what a right answer takes, and more.
-_LIMIT = {"level_cloud": 5.0, "render_camera": 1.0, "rank_cameras": 1.0}
+_LIMIT = {"level_cloud": 5.0, "render_camera": 1.0, "rank_cameras": 1.0, "control": 30.0}
 _USUAL_LIMIT = 0.1
 
 #: Likewise for a whole verdict, which calls a wrong function up to two seconds long.
-_VERDICT_LIMIT = 6.0
+_VERDICT_LIMIT = 12.0
 
 #: Most mutants differ soon. Of the others it is asked first whether any draw reaches the fault.
 _FIRST_DRAWS = 200

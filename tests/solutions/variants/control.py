@@ -1,5 +1,7 @@
 """Right controllers of many styles: gains, filters, predictions, what they look at and return."""
 
+# ruff: noqa: ARG001 - a controller is handed more than each of them looks at
+
 from __future__ import annotations
 
 from typing import Any

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tools.mutants.inputs import clouds, following, numbers, pictures, scenes, stereo
+from tools.mutants.inputs import clouds, following, loops, numbers, pictures, scenes, stereo
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -22,6 +22,7 @@ MAKERS: dict[str, Callable[[np.random.Generator], tuple[Any, ...]]] = {
     **clouds.MAKERS,
     **scenes.MAKERS,
     **following.MAKERS,
+    **loops.MAKERS,
     **stereo.MAKERS,
 }
 
@@ -34,7 +35,12 @@ FEWER_DRAWS = {
     "level_cloud": 150,
     "locate_ball": 1000,
     "ssd_disparity": 2000,
+    "control": 12,
 }
+
+#: Seeds of hidden cases that a score is of, and for what acts in loops of seconds, how many.
+SEEDS = 50
+FEWER_SEEDS = {"control": 3}
 
 _SEED = 20_260
 
@@ -42,6 +48,11 @@ _SEED = 20_260
 def count_draws(name: str) -> int:
     """Return how many draws an exercise gets."""
     return FEWER_DRAWS.get(name, DRAWS)
+
+
+def count_seeds(name: str) -> int:
+    """Return the hidden cases of how many seeds are scored."""
+    return FEWER_SEEDS.get(name, SEEDS)
 
 
 def draw_input(name: str, number: int) -> tuple[Any, ...]:
