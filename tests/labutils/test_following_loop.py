@@ -24,7 +24,9 @@ class Listener:
     """A controller that keeps what it is told."""
 
     def __init__(self, answer: Any = None) -> None:
-        self.answer, self.states, self.pictures = answer, [], []
+        self.answer = answer
+        self.states: list[FollowingState] = []
+        self.pictures: list[tuple[np.ndarray, np.ndarray]] = []
 
     def __call__(self, rgb: Any, depth: Any, _K: Any, state: FollowingState) -> Any:
         self.states.append(state)
@@ -119,7 +121,7 @@ def test_memory_is_empty_at_the_start_and_kept_from_call_to_call() -> None:
 
     def count(_rgb: Any, _depth: Any, _K: Any, state: FollowingState) -> Any:
         counts.append(len(state.memory))
-        state.memory[len(state.memory)] = True
+        state.memory[f"call {len(state.memory)}"] = True
         return state.pan, state.tilt
 
     run(count, 0.15)

@@ -89,7 +89,7 @@ def test_what_is_no_pixel_is_refused(K: np.ndarray, pixel: Any) -> None:
 
 def test_limits_come_in_pairs(K: np.ndarray) -> None:
     with pytest.raises(ValueError, match=r"limits: expected finite numbers of shape \(2, 2\)"):
-        command_from_pixel((1.0, 2.0), K, 0.0, 0.0, (-1.4, 1.4))  # type: ignore[arg-type]
+        command_from_pixel((1.0, 2.0), K, 0.0, 0.0, (-1.4, 1.4))
 
 
 # --- the scene and its board

@@ -12,6 +12,7 @@ from PIL import Image
 
 from labutils.following.record import NEAR_PX
 from tools.draw import following_figures, following_runs, following_video
+from tools.draw.figures import FIGURES
 
 #: Another driver may draw outlines by a pixel elsewhere, which a loop carries on.
 SAME_PX = 2.0
@@ -100,7 +101,10 @@ def test_cells_that_only_define_are_told_from_those_that_run() -> None:
 
 
 def test_what_was_not_measured_is_said_in_words() -> None:
-    scores = [{"mean_px": 3.0, "center_mm": None}, {"mean_px": 2.04, "center_mm": 1.0}]
+    scores: list[dict[str, Any]] = [
+        {"mean_px": 3.0, "center_mm": None},
+        {"mean_px": 2.04, "center_mm": 1.0},
+    ]
     assert following_runs.say_range(scores, "mean_px", 1, "lost") == "2.0 to 3.0"
     assert following_runs.say_range(scores, "center_mm", 1, "not told") == "not told"
 
@@ -110,7 +114,7 @@ def test_every_figure_is_drawn_from_the_stored_runs(stored: dict[str, Any], name
     axes = following_figures.DRAWINGS[name](stored)
     curves = sum(len(one.get_lines()) for one in axes.figure.axes)
     assert curves >= 2
-    assert (following_figures.FIGURES / f"{name}.svg").is_file()
+    assert (FIGURES / f"{name}.svg").is_file()
 
 
 def test_the_video_shows_the_run_and_is_light() -> None:
