@@ -84,7 +84,7 @@ def test_frames_are_told_as_ratios_and_slow_ones_are_no_failure(
     assert row.split() == ["hsv", "3", "500.0", "ms", "600.0", "ms", "10.0", "ms", "50.00"]
 
 
-@pytest.mark.parametrize("bench", [explorers, following, page_python])
+@pytest.mark.parametrize("bench", [explorers, page_following, page_python])
 def test_what_could_not_be_measured_is_no_success(
     bench: ModuleType,
     tmp_path: Path,
