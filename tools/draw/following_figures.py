@@ -61,7 +61,7 @@ def draw_runs(done: dict[str, Any]) -> Axes:
     for name, place in places.items():
         draw_curve(ax, drawn[name], NAMES[name][1])
         label(ax, place, NAMES[name][0], NAMES[name][1], "left")
-    label(ax, (hidden[0] + 0.08, 54), "hidden", INK, "left")
+    label(ax, (hidden[0] + 0.48, 4), "hidden", INK, fontsize=10)
     ax.set_xlim(0, 8)
     ax.set_ylim(0, 60)
     return ax
