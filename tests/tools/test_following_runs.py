@@ -112,8 +112,7 @@ def test_what_was_not_measured_is_said_in_words() -> None:
 @pytest.mark.parametrize("name", following_figures.DRAWINGS)
 def test_every_figure_is_drawn_from_the_stored_runs(stored: dict[str, Any], name: str) -> None:
     axes = following_figures.DRAWINGS[name](stored)
-    curves = sum(len(one.get_lines()) for one in axes.figure.axes)
-    assert curves >= 2
+    assert sum(len(one.get_lines()) for one in axes.figure.axes) >= 2
     assert (FIGURES / f"{name}.svg").is_file()
 
 

@@ -31,7 +31,6 @@ EDGE_PX = 320.0  # farther from the middle a ball is out of the picture, to the 
 GREEN = "#2a8c4c"
 #: What the runs are called in the figures, and their colors.
 NAMES = {
-    "open_loop": ("one look", INK),
     "proportional": ("proportional", COOL),
     "predicting": ("predicting", GREEN),
     "pose_of_now": ("pose of now", ACCENT),
@@ -51,21 +50,20 @@ def draw_still(done: dict[str, Any]) -> Axes:
 
 
 def draw_runs(done: dict[str, Any]) -> Axes:
-    """Follow the same ball in three ways, hidden once."""
+    """Follow the same ball with and without looking ahead, hidden once."""
     (ax,) = make_plots("time (s)", columns=1)
     seed = [one for one in done["table"] if one["settings"]["seed"] == 0]
-    drawn = [one for one in seed if one["controller"] in NAMES]
-    hidden = drawn[0]["hidden"]
+    drawn = {one["controller"]: one for one in seed if one["controller"] in NAMES}
+    hidden = drawn["predicting"]["hidden"]
     ax.axvspan(hidden[0], hidden[-1] + DT, color=INK, alpha=WASH, lw=0)
     ax.axhline(NEAR_PX, color=INK, lw=1, ls="--")
-    for one in drawn:
-        draw_curve(ax, one, NAMES[one["controller"]][1])
-    for place, one in zip(((1.25, 95), (5.6, 42), (5.6, 4)), drawn, strict=True):
-        name, color = NAMES[one["controller"]]
-        label(ax, place, name, color, "left")
-    label(ax, (hidden[0] + 0.4, 108), "hidden", INK)
+    places = {"proportional": (5.5, 31), "predicting": (5.5, 19)}
+    for name, place in places.items():
+        draw_curve(ax, drawn[name], NAMES[name][1])
+        label(ax, place, NAMES[name][0], NAMES[name][1], "left")
+    label(ax, (hidden[0] + 0.48, 4), "hidden", INK, fontsize=10)
     ax.set_xlim(0, 8)
-    ax.set_ylim(0, 120)
+    ax.set_ylim(0, 60)
     return ax
 
 
