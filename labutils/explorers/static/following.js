@@ -242,7 +242,8 @@ function inWords({ time, error_px, error_mm, is_hidden, mean_px, mean_mm, is_cur
   const center =
     error_mm === null && mean_mm === null
       ? ""
-      : `; center ${write(error_mm, 0, "mm")} off${mean(write(mean_mm, 0, "mm"))}`;
+      : `; center ${error_mm === null ? "not told" : `${error_mm.toFixed(0)} mm off`}` +
+        mean(write(mean_mm, 0, "mm"));
   return (
     `${time.toFixed(2)} s: ${write(error_px, 1, "px")} from the middle` +
     `${mean(write(mean_px, 1, "px"))}${is_hidden ? ", hidden" : ""}${center}.` +
