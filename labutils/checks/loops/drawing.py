@@ -31,7 +31,7 @@ _COLORS = {
 #: Height of the table, and its borders: low and high x, low and high y.
 _TABLE_Z, _TABLE = 0.86, (0.45, 1.45, -0.72, 0.72)
 #: The inside of the room: low and high corner.
-_ROOM = np.array([[-1.95, -2.45, 0.0], [1.95, 2.45, 2.6]])
+_ROOM = np.array([[-1.95, -2.45, 0.0], [1.95, 2.45, 2.6]], np.float32)
 #: Where the light comes from.
 _LIGHT = np.array([-0.39, 0.39, 0.84])
 _AMBIENT = 0.55
@@ -63,7 +63,8 @@ class LoopRenderer:
         self._K, _ = get_camera_intrinsics(model, CAMERA, width, height)
         v, u = np.mgrid[:height, :width]
         x, y = (u - self._K[0, 2]) / self._K[0, 0], (v - self._K[1, 2]) / self._K[1, 1]
-        self._rays = np.stack([x, y, np.ones_like(x)], axis=-1)
+        # Single precision, a tenth of a millimeter in the room, takes half the time.
+        self._rays = np.stack([x, y, np.ones_like(x)], axis=-1).astype(np.float32)
         self._shows_depth = False
         self._rgb = np.zeros((height, width, 3), np.uint8)
         self._depth = np.zeros((height, width), np.float32)
@@ -72,9 +73,12 @@ class LoopRenderer:
         """Draw color and depth of a state from the robot's eye, whatever camera is named."""
         del camera, scene_option
         T = get_camera_pose(self.model, data, CAMERA)
-        eye, rays = T[:3, 3], self._rays @ T[:3, :3].T
-        depth, shade = _draw_room(eye, rays)
-        rgb = shade[..., None] * np.array(_COLORS["room"])
+        eye = T[:3, 3].astype(np.float32)
+        x, y, z = np.moveaxis(self._rays.reshape(-1, 3) @ T[:3, :3].T.astype(np.float32), -1, 0)
+        rays = [one.reshape(self.height, self.width) for one in (x, y, z)]
+        depth = _leave_room(eye, rays)
+        rgb = np.empty((self.height, self.width, 3), np.uint8)
+        rgb[:] = _COLORS["room"]
         on_table = _meet_table(eye, rays)
         rgb[on_table < depth] = _COLORS["table"]
         depth = np.minimum(depth, on_table)
@@ -87,8 +91,7 @@ class LoopRenderer:
         if any(start <= data.time + 1e-9 < end for start, end in self._blind):
             depth[is_ball] = np.nan
             depth[is_ball & (np.roll(is_ball, 3, axis=0) & np.roll(is_ball, -3, axis=0))] = 0.0
-        self._rgb = np.clip(np.rint(rgb), 0, 255).astype(np.uint8)
-        self._depth = depth.astype(np.float32)
+        self._rgb, self._depth = rgb, depth
 
     def render(self, *, out: np.ndarray | None = None) -> np.ndarray:
         """Return what was drawn."""
@@ -144,7 +147,7 @@ class LoopRenderer:
         """Draw the ball into both pictures; return where it is, bool (H, W)."""
         is_ball = np.zeros(depth.shape, bool)
         window = self._find_window(T, center, RADIUS)
-        rays = self._rays[window] @ T[:3, :3].T
+        rays = self._rays[window].astype(np.float64) @ T[:3, :3].T
         to_eye = T[:3, 3] - center
         a = (rays**2).sum(axis=-1)
         b = rays @ to_eye
@@ -153,7 +156,7 @@ class LoopRenderer:
         seen = (inside > 0) & (near > 0) & (near < depth[window])
         normal = (to_eye + near[..., None] * rays) / RADIUS
         shade = _AMBIENT + (1 - _AMBIENT) * np.clip(normal @ _LIGHT, 0, 1)
-        rgb[window][seen] = (shade[..., None] * _COLORS[BALL])[seen]
+        rgb[window][seen] = np.rint(shade[seen, None] * _COLORS[BALL])
         depth[window][seen] = near[seen]
         is_ball[window] = seen
         return is_ball
@@ -170,37 +173,38 @@ class LoopRenderer:
         center, R, half = box
         window = self._find_window(T, center, float(np.linalg.norm(half)))
         rays = self._rays[window] @ (T[:3, :3].T @ R)
-        near, axis, _ = _meet_box(R.T @ (T[:3, 3] - center), rays, half)
+        near, axis = _meet_box(R.T @ (T[:3, 3] - center), rays, half)
         seen = near < depth[window]
         shade = np.array([0.8, 0.7, 1.0])[axis]
-        rgb[window][seen] = (shade[..., None] * _COLORS[name])[seen]
+        rgb[window][seen] = np.rint(shade[seen, None] * _COLORS[name])
         depth[window][seen] = near[seen]
 
 
-def _draw_room(eye: np.ndarray, rays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return depth and shade of the walls, seen from within."""
-    half = (_ROOM[1] - _ROOM[0]) / 2
-    _, _, far = _meet_box(eye - _ROOM.mean(axis=0), rays, half)
-    return far, 1.0 - 0.1 * far / far.max()
+def _leave_room(eye: np.ndarray, rays: list[np.ndarray]) -> np.ndarray:
+    """Return the depth of the walls, seen from within."""
+    with np.errstate(divide="ignore"):
+        reaches = [
+            np.where(ray > 0, high - start, low - start) / ray
+            for ray, start, low, high in zip(rays, eye, *_ROOM, strict=True)
+        ]
+    return np.minimum(np.minimum(reaches[0], reaches[1]), reaches[2])
 
 
-def _meet_table(eye: np.ndarray, rays: np.ndarray) -> np.ndarray:
+def _meet_table(eye: np.ndarray, rays: list[np.ndarray]) -> np.ndarray:
     """Return the depth of the table top; infinite beside it."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        reach = (_TABLE_Z - eye[2]) / rays[..., 2]
-        x, y = eye[0] + reach * rays[..., 0], eye[1] + reach * rays[..., 1]
+        reach = (_TABLE_Z - eye[2]) / rays[2]
+        x, y = eye[0] + reach * rays[0], eye[1] + reach * rays[1]
     low_x, high_x, low_y, high_y = _TABLE
     hit = (reach > 0) & (low_x < x) & (x < high_x) & (low_y < y) & (y < high_y)
-    return np.where(hit, reach, np.inf)
+    return np.where(hit, reach, np.float32(np.inf))
 
 
-def _meet_box(
-    eye: np.ndarray, rays: np.ndarray, half: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Meet a box in its own frame: where rays enter (infinite: never), by which axis, and leave."""
+def _meet_box(eye: np.ndarray, rays: np.ndarray, half: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Meet a box in its own frame: where rays enter (infinite: never), and by which axis."""
     with np.errstate(divide="ignore", invalid="ignore"):
         one, other = (-half - eye) / rays, (half - eye) / rays
     enter, leave = np.minimum(one, other), np.maximum(one, other)
-    near, far = enter.max(axis=-1), leave.min(axis=-1)
-    hit = (near <= far) & (near > 0)
-    return np.where(hit, near, np.inf), enter.argmax(axis=-1), far
+    near = enter.max(axis=-1)
+    hit = (near <= leave.min(axis=-1)) & (near > 0)
+    return np.where(hit, near, np.inf), enter.argmax(axis=-1)
