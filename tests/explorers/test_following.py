@@ -118,6 +118,13 @@ def test_a_recording_says_whether_it_was_made_with_other_settings(
     assert told == [True, False, True]
 
 
+def test_a_recording_does_not_depend_on_how_fast_the_machine_is(
+    recorded: FollowingExplorer,
+) -> None:
+    assert set(recorded.view.moments["render_ms"]) == {None}
+    assert set(recorded.view.moments["control_ms"]) == {None}
+
+
 def test_a_recording_is_small_and_its_pictures_can_be_read(recorded: FollowingExplorer) -> None:
     view = recorded.view
     assert len(view.pictures) < 180e3  # a page carries it as text, a third longer

@@ -17,12 +17,14 @@ export function makeBudget(parent) {
   return {
     /** @param {FollowingBudget[]} budget */
     show(budget) {
-      const sum = budget.reduce((so_far, { ms }) => so_far + ms, 0);
-      total.textContent = `Picture to turn: ${sum.toFixed(0)} ms`;
+      const sum = budget.reduce((so_far, { ms }) => so_far + (ms ?? 0), 0);
+      const more = budget.some(({ ms }) => ms === null) ? " and more" : "";
+      total.textContent = `Picture to turn: ${sum.toFixed(0)} ms${more}`;
       budget.forEach(({ name, ms }, i) => {
         rows[i] ??= { part: make("span", "", bar), words: make("li", "", list) };
-        rows[i].part.style.flexGrow = String(ms);
-        rows[i].words.textContent = `${name} ${ms.toFixed(ms < 10 ? 1 : 0)} ms`;
+        rows[i].part.style.flexGrow = String(ms ?? 0);
+        rows[i].words.textContent =
+          ms === null ? `${name}: run to measure` : `${name} ${ms.toFixed(ms < 10 ? 1 : 0)} ms`;
       });
     },
   };

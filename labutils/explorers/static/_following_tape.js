@@ -101,7 +101,7 @@ function findMean(values) {
 export function describeBudget(frames, place, neckMs) {
   const lately = frames.slice(Math.max(0, place + 1 - LATELY), place + 1);
   const mean = (/** @type {"delay_ms" | "render_ms" | "control_ms"} */ name) =>
-    findMean(lately.map(({ moment }) => moment[name])) ?? 0;
+    lately.length ? findMean(lately.map(({ moment }) => moment[name])) : 0;
   return [
     { name: "picture delay", ms: mean("delay_ms") },
     { name: "drawing", ms: mean("render_ms") },

@@ -21,8 +21,9 @@ interface FollowingMoment {
   /** Whether it counts for the means. */
   is_measured: boolean;
   delay_ms: number;
-  render_ms: number;
-  control_ms: number;
+  /** null in a recording: what another machine took says nothing */
+  render_ms: number | null;
+  control_ms: number | null;
 }
 /** An exception of the controller, in words. */
 interface FollowingProblem {
@@ -85,5 +86,6 @@ interface FollowingValues {
 /** Where the time goes, in ms. */
 interface FollowingBudget {
   name: string;
-  ms: number;
+  /** null where it is not known */
+  ms: number | null;
 }

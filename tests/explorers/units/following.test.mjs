@@ -181,6 +181,11 @@ test("a budget is the mean of the last second", () => {
     describeBudget([], -1, 50).map(({ ms }) => ms),
     [0, 0, 0, 50],
   );
+  const recorded = makeFrame(0, { delay_ms: 50, render_ms: null, control_ms: null });
+  assert.deepEqual(
+    describeBudget([recorded], 0, 50).map(({ ms }) => ms),
+    [50, null, null, 50],
+  );
 });
 
 test("the window of a plot moves in leaps and holds the time", () => {
