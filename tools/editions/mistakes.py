@@ -144,14 +144,11 @@ def _describe_part(
         size = 0.0 if due is answer else np.inf
         return size, f"{part.name} is None where it should not be, or the other way round"
     kind = get_kind(part)
-    if not kind.is_repeatable:
-        found = kind.find_property(part, due, answer)
-        return 1.0, f"{found}: {kind.describe(part, due, answer, np.ones(1))[:-1].lower()}"
+    if kind.is_observed or not kind.is_repeatable:
+        return _describe_whole(part, due, answer)
     if due.shape != answer.shape:
         shapes = [" x ".join(map(str, value.shape)) or "one" for value in (answer, due)]
         return np.inf, f"{part.name}: {shapes[0]} values for {shapes[1]}"
-    if kind.is_observed:
-        return (0.0 if bool(due) == bool(answer) else np.inf), f"not so: {part.name}"
     wrong = kind.find_wrong(part, due, answer)
     if wrong.any():
         gaps = np.abs(kind.get_differences(part, due, answer))[wrong]
@@ -159,6 +156,16 @@ def _describe_part(
     if due.dtype.kind != answer.dtype.kind:
         return np.inf, f"{part.name}: right values, wrong type ({answer.dtype})"
     return 0.0, f"{part.name}: nothing"
+
+
+def _describe_whole(part: Part, due: np.ndarray, answer: np.ndarray) -> tuple[float, str]:
+    """Say how something is wrong that has no values to compare one by one."""
+    kind = get_kind(part)
+    if kind.is_observed:
+        return (0.0 if bool(due) == bool(answer) else np.inf), f"not so: {part.name}"
+    found = kind.find_property(part, due, answer)
+    told = kind.describe(part, due, answer, np.ones(1))
+    return 1.0, f"{found}: {told[0].lower()}{told[1:-1]}"
 
 
 def _describe_values(part: Part, wrong: np.ndarray, gaps: np.ndarray) -> tuple[float, str]:
