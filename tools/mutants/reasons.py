@@ -18,6 +18,10 @@ REASONS: dict[str, str] = {
     "labutils/stereo_refining.py:subpixel:body.6.body.2.value.keywords.0:keyword-lost": (
         "moves by what the memory held before, which is 0 as often as not: a matter of chance"
     ),
+    "solutions/control.py:_locate_center:body.9.value.slice:compare-NotEq": (
+        "takes the distance of the room for that of the ball: the direction stays right, and the "
+        "statement asks for nothing else"
+    ),
 }
 
 
