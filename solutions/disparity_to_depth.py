@@ -154,6 +154,7 @@ EXERCISE = Exercise(
     ),
     example="""\
 from labutils.recordings import load_recording
+
 pair = load_recording("room").pairs[0]
 found = lab.ssd_disparity(pair.left, pair.right, max_disparity=96)
 measured = disparity_to_depth(found, pair.K, pair.baseline)

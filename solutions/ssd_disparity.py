@@ -193,6 +193,7 @@ EXERCISE = Exercise(
     ),
     example="""\
 from labutils.recordings import load_recording
+
 pair = load_recording("room").pairs[0]
 left, right = (one[120:300:2, 160:440:2] for one in (pair.left, pair.right))
 show(left, "a part of the left picture, every second pixel")

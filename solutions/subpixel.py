@@ -186,6 +186,7 @@ EXERCISE = Exercise(
     ),
     example="""\
 from labutils.recordings import load_recording
+
 pair = load_recording("room").pairs[0]
 left, right = (one[120:300:2, 160:440:2] for one in (pair.left, pair.right))
 found = lab.ssd_disparity(left, right, 48)

@@ -67,7 +67,9 @@ def record_following(
             content = encode_picture(picture, _FORMAT, _QUALITY)
             places.append([step, which, sum(map(len, pictures)), len(content)])
             pictures.append(content)
-    return FollowingRecording(_forget_machine(to_columns(run.moments)), b"".join(pictures), places, problem)
+    return FollowingRecording(
+        _forget_machine(to_columns(run.moments)), b"".join(pictures), places, problem
+    )
 
 
 def _forget_machine(columns: dict[str, list[Any]]) -> dict[str, list[Any]]:
