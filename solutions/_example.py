@@ -19,7 +19,7 @@ def verify_example(name: str, code: str) -> None:
 
     A function may also be handed to what calls it.
     """
-    lines = code.splitlines()
+    lines = [line for line in code.splitlines() if line]
     if not 1 <= len(lines) <= MAX_LINES:
         raise ValueError(f"{name}: expected an example of 1 to {MAX_LINES} lines, got {len(lines)}")
     if code != code.strip():
