@@ -9,7 +9,7 @@ from labutils.checks.loops.drawing import LoopRenderer
 from labutils.following import FollowingLoop
 from solutions.control import control
 from tests.solutions.variants.control import proportional
-from tools.bench.following_score import MAX_CENTER_MM, MAX_RECOVERY_S, is_within, measure
+from tools.measure.following_score import MAX_CENTER_MM, MAX_RECOVERY_S, is_within, measure
 
 
 @pytest.mark.parametrize("seed", range(3))

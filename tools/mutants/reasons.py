@@ -15,6 +15,9 @@ REASONS: dict[str, str] = {
         "refuses rotations whose determinant is rounded to less than 1: a matter of chance, so the "
         "poses of a few seeds are none of them"
     ),
+    "labutils/stereo_refining.py:lr_check:body.7.value.left.comparators.0:minus-1": (
+        "asks the last column about a point one column outside, which contradicts nearly always"
+    ),
     "labutils/stereo_refining.py:subpixel:body.6.body.2.value.keywords.0:keyword-lost": (
         "moves by what the memory held before, which is 0 as often as not: a matter of chance"
     ),

@@ -4,7 +4,7 @@ The bounds of the book are for a picture 640 wide: the ball at most 15 px from t
 average, its center located within 15 mm, and back within 15 px one second after a board has hidden
 it. A smaller picture has as much less of the pixels.
 
-Usage: ``python -m tools.bench.following_score [--seeds 5] [--width 640]``.
+Usage: ``python -m tools.measure.following_score [--seeds 5] [--width 640]``.
 """
 
 from __future__ import annotations
