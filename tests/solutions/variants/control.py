@@ -223,7 +223,7 @@ def by_ratio_of_colors_in_a_list(rgb: Any, depth: Any, K: Any, state: Any) -> An
 
 
 def searching_while_hidden(rgb: Any, depth: Any, K: Any, state: Any) -> Any:
-    """Swing to and fro about the last aim until the ball is seen again."""
+    """Swing from side to side about the last aim until the ball is seen again."""
     aim, memory = get_aim(rgb, K, state), state.memory
     if aim is not None:
         memory["aim"], memory["lost"] = aim, None
