@@ -6,6 +6,8 @@ eyes stand farther apart and see more: 58 degrees from top to bottom.
 
 from __future__ import annotations
 
+from typing import Any
+
 import mujoco
 import numpy as np
 
@@ -197,9 +199,7 @@ def _add_table(spec: mujoco.MjSpec, design: Design, rng: np.random.Generator) ->
         _add_thing(spec, thing, top, rng)
 
 
-def _add_box(
-    body: mujoco.MjsBody, name: str, size: list[float], pos: list[float], material: str
-) -> None:
+def _add_box(body: Any, name: str, size: list[float], pos: list[float], material: str) -> None:
     body.add_geom(name=name, type=_GEOM.mjGEOM_BOX, size=size, pos=pos, material=material)
 
 

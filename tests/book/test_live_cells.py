@@ -57,7 +57,7 @@ def test_every_file_of_python_that_a_page_names_is_there(pages: dict[str, str]) 
             continue
         data = read_data(page)
         assert data["page"] == name
-        assert set(data["parts"]) == {"python", "simulator", "widgets"}
+        assert set(data["parts"]) == {"python", "recordings", "simulator", "widgets"}
         for asset in (asset for part in data["parts"].values() for asset in part):
             assert asset["files"]
             for file in asset["files"]:

@@ -134,6 +134,9 @@ await main(async (browser, site) => {
   for (const name of ["projection_matrix", "step4_color", "step5_cloud", "step6_view"]) {
     seen.book[name] = await countCovers(browser, site, name);
   }
+  for (const name of ["following", "stereo"]) {
+    seen.book[name] = await countCovers(browser, site, name);
+  }
   return seen;
 });
 

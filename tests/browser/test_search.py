@@ -25,7 +25,7 @@ def used(
         ("intrinsic", "book/step2_intrinsics", 1),
         ("hue", "book/step4_color", 1),
         ("how do I convert depth to meters", "book/step3_depth", 3),
-        ("disparty", "book/glossary", 1),
+        ("disparty", "book/glossary", 2),
     ],
 )
 def test_the_page_that_a_reader_wants_comes_first(
