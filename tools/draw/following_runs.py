@@ -14,6 +14,7 @@ import json
 import re
 from concurrent.futures import ProcessPoolExecutor
 from hashlib import sha256
+from multiprocessing import get_context
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -163,7 +164,8 @@ def summarize(record: FollowingRecord, scale: float) -> dict[str, Any]:
 def measure() -> dict[str, Any]:
     """Do all runs, on all cores."""
     runs = make_runs()
-    with ProcessPoolExecutor() as pool:
+    # A copy of a process that has drawn, or whose OpenCV has threads, may wait for ever.
+    with ProcessPoolExecutor(mp_context=get_context("spawn")) as pool:
         done = {name: list(pool.map(do, some)) for name, some in runs.items()}
     return {"made_from": get_stamp(), **done}
 
