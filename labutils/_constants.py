@@ -23,6 +23,13 @@ MIN_DEPTH = 0.01
 #: its far plane at 12 m, so pixels that see nothing fall out by the same rule.
 MAX_DEPTH = 10.0
 
+#: Seconds from one command of a following loop to the next.
+COMMAND_S = 0.05
+
+#: How near the middle a ball is to be followed, in pixels of a picture so many wide; a smaller
+#: picture has as much less of them.
+NEAR_PX, FULL_WIDTH = 15.0, 640
+
 #: Largest hue of an 8-bit OpenCV HSV image: hues are degrees halved, so a full circle is 180.
 MAX_HUE = 179
 

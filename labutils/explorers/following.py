@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 import traitlets
 
+from labutils._constants import FULL_WIDTH, NEAR_PX
 from labutils._guards import check_image_size
 from labutils.explorers._base import Explorer, View, make_slider
 from labutils.explorers._following_recording import (
@@ -32,7 +33,6 @@ from labutils.explorers._following_run import (
 from labutils.explorers._modules import join_modules, join_styles
 from labutils.explorers._poster import draw_lines
 from labutils.following.loop import DT
-from labutils.following.record import FULL_WIDTH, NEAR_PX
 
 if TYPE_CHECKING:
     from labutils.following.loop import Control

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 import mujoco
 import numpy as np
 
+from labutils._constants import COMMAND_S
 from labutils._guards import check_image_size
 from labutils.camera_utils import render_camera
 from labutils.cameras import get_camera_intrinsics, get_camera_pose
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     Control = Callable[[np.ndarray, np.ndarray, np.ndarray, FollowingState], object]
 
 #: Seconds from one command to the next.
-DT = 0.05
+DT = COMMAND_S
 #: The ball is hidden from the first to the second of these seconds.
 HIDDEN = ((4.0, 4.8),)
 #: Noise of the depth at 1 m, in meters, for each gray level of noise in the color; it grows with

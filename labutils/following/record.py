@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from labutils._constants import FULL_WIDTH, NEAR_PX
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 #: The first second is for finding the ball, the second after a board for finding it again.
 SETTLING_S = 1.0
-#: The book's bounds, for a picture 640 pixels wide; a smaller picture has less of them.
-NEAR_PX, FULL_WIDTH = 15.0, 640
 
 
 class FollowingMoment(NamedTuple):

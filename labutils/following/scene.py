@@ -37,7 +37,7 @@ def make_following_scene() -> tuple[mujoco.MjModel, mujoco.MjData]:
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
-    data.mocap_pos[get_mocap_id(model, BOARD)] = PARKED
+    park_board(model, data)
     mujoco.mj_forward(model, data)
     return model, data
 

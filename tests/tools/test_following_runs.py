@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from labutils.following.record import NEAR_PX
+from labutils._constants import NEAR_PX
 from tools.draw import following_figures, following_runs, following_video
 from tools.draw.figures import FIGURES
 

@@ -13,8 +13,8 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
+from labutils._constants import FULL_WIDTH, NEAR_PX
 from labutils.following import FollowingLoop
-from labutils.following.record import NEAR_PX
 from solutions.control import control as reference
 
 if TYPE_CHECKING:
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from labutils.following import FollowingScore
 
-_FULL_WIDTH = 640
 _SECONDS = 8.0
 MAX_CENTER_MM, MAX_RECOVERY_S = 15.0, 1.0
 
@@ -36,7 +35,7 @@ def measure(control: Callable[..., object], seed: int, width: int) -> FollowingS
 def is_within(score: FollowingScore, width: int) -> bool:
     """Tell whether a score keeps all bounds."""
     return (
-        score.mean_px <= NEAR_PX * width / _FULL_WIDTH
+        score.mean_px <= NEAR_PX * width / FULL_WIDTH
         and score.center_mm <= MAX_CENTER_MM
         and score.recovery_s <= MAX_RECOVERY_S
     )
@@ -46,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Print a row per seed; return a shell's exit code: 1 where a bound is missed."""
     parser = argparse.ArgumentParser(description="Measure the reference of control.")
     parser.add_argument("--seeds", type=int, default=5, help="how many paths of the ball")
-    parser.add_argument("--width", type=int, default=_FULL_WIDTH, help="of the picture, in pixels")
+    parser.add_argument("--width", type=int, default=FULL_WIDTH, help="of the picture, in pixels")
     options = parser.parse_args(arguments)
     print("seed  mean px  center mm  recovery s  largest command rad")
     kept = True

@@ -14,6 +14,7 @@ from labutils.checks.loops.trace import (
     BOUND_PX,
     LIMITS,
     PROPERTIES,
+    SLACK_RAD,
     Column,
     classify,
     find_failing,
@@ -105,10 +106,10 @@ class ClosedLoop(Kind):
 def _describe_commands(trace: np.ndarray) -> str:
     """Say what is wrong with commands that the neck cannot follow."""
     beyond = trace[:, Column.BEYOND]
-    number = int(np.argmax(beyond > 1e-6)) + 1
+    number = int(np.argmax(beyond > SLACK_RAD)) + 1
     if not np.isfinite(beyond).all():
         return f"Call {len(trace)} of the loop answers with a number that is not finite."
-    count = int((beyond > 1e-6).sum())
+    count = int((beyond > SLACK_RAD).sum())
     return (
         f"{count} of {len(trace)} commands lie beyond state.limits, the first in call {number}; "
         f"the furthest by {beyond.max():.2g} rad."

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import mujoco
 import numpy as np
 
+from labutils._constants import FULL_WIDTH
 from labutils.checks.loops.drawing import LoopRenderer
 from labutils.checks.loops.looks import take_looks
 from labutils.checks.loops.places import PointPath, get_place
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
 #: Small pictures, as on a page: checks are to answer while somebody waits.
 WIDTH, HEIGHT = 160, 120
-_FULL_WIDTH = 640
 
 #: More than the picture is wide: where a ball behind the camera counts as being.
 _LOST_PX = 2000.0
@@ -121,7 +121,7 @@ def _act_once(loop: Loop, following: FollowingLoop, decide: Decide, row: np.ndar
         return False
     off = float(np.hypot(*(moment.pixel - following.K[:2, 2])))
     # Behind the camera there is no pixel: fmin takes the number of the two.
-    row[Column.ERROR_PX] = np.fmin(off * _FULL_WIDTH / WIDTH, _LOST_PX)
+    row[Column.ERROR_PX] = np.fmin(off * FULL_WIDTH / WIDTH, _LOST_PX)
     row[[Column.PAN, Column.TILT]] = moment.command
     return True
 

@@ -15,7 +15,7 @@ from labutils.cameras import get_camera_intrinsics, get_camera_pose
 from labutils.checks.loops.drawing import LoopRenderer
 from labutils.checks.loops.places import get_place
 from labutils.checks.loops.scenario import DT
-from labutils.checks.loops.trace import Looks
+from labutils.checks.loops.trace import SLACK_RAD, Looks
 from labutils.following import FollowingState
 from labutils.following.scene import BALL, CAMERA, get_mocap_id, make_following_scene
 
@@ -185,7 +185,7 @@ def _is_beyond(decide: Callable[..., Any]) -> bool:
     for neck in (low + 0.02, high - 0.02):
         for off in (0.2, -0.2):
             command = _Asking(decide).ask(neck, np.array([off, 0.75 * off]))
-            if (command < low - 1e-6).any() or (command > high + 1e-6).any():
+            if (command < low - SLACK_RAD).any() or (command > high + SLACK_RAD).any():
                 return True
     return False
 

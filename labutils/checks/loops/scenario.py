@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass, replace
 from typing import Any, ClassVar
 
+from labutils._constants import COMMAND_S
+
 #: Seconds from one call to the next.
-DT = 0.05
+DT = COMMAND_S
 
 #: The properties that a stretch of time is measured for.
 SETTLES, FOLLOWS, RECOVERS = "settles", "follows", "recovers"

@@ -11,13 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from labutils._constants import NEAR_PX
 from labutils.checks.loops.scenario import FOLLOWS, RECOVERS, SETTLES
 
 #: The bound of the book, in pixels of a picture 640 wide.
-BOUND_PX = 15.0
+BOUND_PX = NEAR_PX
 
 #: A command may miss its limit by a rounding error.
-_SLACK_RAD = 1e-6
+SLACK_RAD = 1e-6
 
 LIMITS = "limits"
 
@@ -89,7 +90,7 @@ def read_properties(trace: np.ndarray) -> dict[str, float]:
 
 def holds(name: str, value: float) -> bool:
     """Tell whether a property holds."""
-    return value <= (_SLACK_RAD if name == LIMITS else BOUND_PX)
+    return value <= (SLACK_RAD if name == LIMITS else BOUND_PX)
 
 
 def find_failing(trace: np.ndarray) -> str:
